@@ -1,0 +1,65 @@
+# How this project's targets are made.
+
+set(BIMODAL_SANITIZE "" CACHE STRING "Comma-separated sanitizers: address,undefined or thread")
+option(BIMODAL_WERROR "Treat warnings as errors" OFF)
+
+find_program(BIMODAL_CCACHE ccache)
+if(BIMODAL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${BIMODAL_CCACHE})
+endif()
+
+# How we compile our own code; never applied to, nor exported to, third parties.
+add_library(bimodal_options INTERFACE)
+target_include_directories(bimodal_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(bimodal_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion
+  -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  $<$<BOOL:${BIMODAL_WERROR}>:-Werror>)
+if(BIMODAL_SANITIZE)
+  target_compile_options(bimodal_options INTERFACE
+    -fsanitize=${BIMODAL_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(bimodal_options INTERFACE -fsanitize=${BIMODAL_SANITIZE})
+endif()
+
+# bimodal_library(<name> <folder> PUBLIC ... PRIVATE ...) makes bimodal_<name>, alias bimodal::<name>,
+# from every source file directly or indirectly in <folder>.
+function(bimodal_library name folder)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "PUBLIC;PRIVATE")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  if(sources)
+    add_library(bimodal_${name} STATIC ${sources})
+    target_link_libraries(bimodal_${name} PUBLIC bimodal_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  else()  # headers only
+    add_library(bimodal_${name} INTERFACE)
+    target_link_libraries(bimodal_${name} INTERFACE bimodal_options ${arg_PUBLIC})
+  endif()
+  add_library(bimodal::${name} ALIAS bimodal_${name})
+endfunction()
+
+# bimodal_program(<name> <folder> <library>...) makes bin/<name>; all of <folder> except main.cpp is
+# the library bimodal_<name>_verbs, so that tests can call the verbs.
+function(bimodal_program name folder)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
+  if(sources)
+    add_library(bimodal_${name}_verbs STATIC ${sources})
+    target_link_libraries(bimodal_${name}_verbs PUBLIC bimodal_options ${ARGN})
+    add_executable(${name} ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
+    target_link_libraries(${name} PRIVATE bimodal_${name}_verbs)
+    set_target_properties(${name} PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  endif()
+endfunction()
+
+# Festival has neither a CMake package nor a pkg-config file; its libraries are static on Debian.
+function(bimodal_find_festival)
+  find_path(FESTIVAL_INCLUDE festival/festival.h REQUIRED)
+  find_path(SPEECH_TOOLS_INCLUDE speech_tools/EST.h REQUIRED)
+  add_library(festival INTERFACE)
+  target_include_directories(festival SYSTEM INTERFACE
+    ${FESTIVAL_INCLUDE}/festival ${SPEECH_TOOLS_INCLUDE}/speech_tools)
+  foreach(library Festival estools estbase eststring)
+    find_library(FESTIVAL_${library} ${library} REQUIRED)
+    target_link_libraries(festival INTERFACE ${FESTIVAL_${library}})
+  endforeach()
+endfunction()

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stimuli/base/quantity.hpp"
+#include "stimuli/base/random.hpp"
+
+namespace bimodal::protocols {
+
+/// What is heard and seen in one kind of trial. At least one of the talkers is given.
+struct Condition {
+  std::string name;
+  std::optional<std::string> auditory_talker;  ///< "festival:kal", "festival:slt"; absent: silence
+  std::optional<std::string> visual_talker;    ///< "face"; absent: no face
+  /// The voice that times the face where nothing is heard; where something is, it is that voice.
+  std::string timing_talker = "festival:kal";
+  std::optional<Decibels> snr;  ///< absent: no noise
+};
+
+/// How words meet conditions.
+enum class Assignment {
+  Once,            ///< each word in one condition per participant, lists counterbalanced over them
+  EveryCondition,  ///< each word in every condition, over as many sessions as there are conditions
+};
+
+struct Noise {
+  Hertz band_low{80};     ///< speech and noise levels are measured between these,
+  Hertz band_high{8000};  ///< and the noise is limited to them
+  Duration lead = std::chrono::milliseconds{500};   ///< noise before the recording begins
+  Duration trail = std::chrono::milliseconds{500};  ///< and after it ends
+  Duration ramp = std::chrono::milliseconds{50};    ///< raised cosine at both ends
+};
+
+struct Sound {
+  Hertz rate{48'000};
+  Decibels speech_level{-26.0};  ///< RMS of the speech interval, dB re full scale; constant
+  Noise noise;
+};
+
+struct Practice {
+  std::vector<std::string>
+      words;  ///< spellings outside the main list; one trial each, conditions in turn
+};
+
+struct Breaks {
+  int every_trials = 0;  ///< 0: none
+  std::string text;
+};
+
+/// A typed answer.
+struct Response {
+  std::string prompt;
+  std::optional<Duration> time_limit;  ///< from stimulus offset; absent: the participant decides
+  int longest = 40;                    ///< characters
+};
+
+struct Intervals {
+  Duration fixation = std::chrono::milliseconds{500};  ///< fixation mark before the stimulus
+  Duration lead = std::chrono::milliseconds{500};      ///< still face before the recording begins
+  Duration trail = std::chrono::milliseconds{500};     ///< still face after it ends
+  Duration pause = std::chrono::milliseconds{500};     ///< blank between trials
+  Duration av_offset{};                                ///< audio minus visual: positive, audio lags
+};
+
+struct Window {
+  int width = 1280;  ///< pixels
+  int height = 1024;
+  bool fullscreen = true;
+  int face_height = 720;                ///< pixels; the face's picture is 8/9 as wide as it is high
+  std::uint32_t background = 0x606060;  ///< 0xRRGGBB
+};
+
+/// A whole experiment, as its author wrote it and the reader judged it.
+struct Protocol {
+  std::string title;
+  std::string description;
+  Seed seed = 0;
+  std::vector<std::string> instructions;  ///< pages
+  std::string words;                      ///< as written: a list of the library or a file
+  std::vector<Condition> conditions;
+  Assignment assignment = Assignment::Once;
+  Practice practice;
+  Breaks breaks;
+  Response response;
+  Intervals intervals;
+  Sound sound;
+  Window window;
+  std::string farewell;
+};
+
+}  // namespace bimodal::protocols

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stimuli/base/quantity.hpp"
+
+namespace bimodal::runner {
+
+/// Samples to be played, kept alive by the output until they have been. One channel, played on all.
+struct Sound {
+  Hertz rate{48'000};
+  std::shared_ptr<const std::vector<float>> samples;
+};
+
+/// What became of the last scheduled sound.
+struct Playback {
+  std::optional<Instant>
+      onset;  ///< first sample at the output, on the session clock; absent: not yet
+  std::int64_t start_sample = 0;  ///< stream sample at which it started
+  std::string_view source;        ///< "stream_time", "callback_time", "predicted"
+  bool finished = false;
+  std::int64_t underflows = 0;  ///< during this sound
+};
+
+/// One always-open stream into which sounds are placed at computed samples. Used by one thread; the
+/// device's own thread pulls the samples.
+class AudioOutput {
+ public:
+  AudioOutput() = default;
+  AudioOutput(const AudioOutput&) = delete;
+  AudioOutput& operator=(const AudioOutput&) = delete;
+  AudioOutput(AudioOutput&&) = delete;
+  AudioOutput& operator=(AudioOutput&&) = delete;
+  virtual ~AudioOutput() = default;
+
+  /// Starts `sound` so that its first sample is heard at `onset`. If `onset` is closer than
+  /// lead_time() it starts late, and Playback says when. Replaces a sound not yet finished.
+  virtual void schedule(const Sound& sound, Instant onset) = 0;
+
+  /// Fades the present sound out within 5 ms.
+  virtual void stop() = 0;
+
+  [[nodiscard]] virtual Playback playback() = 0;
+
+  /// How far ahead schedule() must be called.
+  [[nodiscard]] virtual Duration lead_time() const = 0;
+
+  [[nodiscard]] virtual Hertz rate() const = 0;
+  [[nodiscard]] virtual std::string kind() const = 0;         ///< "portaudio", "none", "simulated"
+  [[nodiscard]] virtual std::string description() const = 0;  ///< host API, device, latency
+  [[nodiscard]] virtual std::string_view time_source() const = 0;
+};
+
+}  // namespace bimodal::runner

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runner/devices/clock.hpp"
+#include "stimuli/base/quantity.hpp"
+
+namespace bimodal::runner {
+
+/// Where an instant came from, worst to best. Stored beside every onset, because an analysis may
+/// only trust what was reported.
+enum class TimeSource { Predicted, SwapReturned, DriverReported, Photodiode };
+
+/// "predicted", "swap_returned", "driver_reported", "photodiode".
+[[nodiscard]] std::string_view name(TimeSource source);
+
+/// Pixels to be shown: rows from the top, red, green, blue, unused, 8 bits each. Borrowed: they
+/// live in the prepared trial.
+struct Picture {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::span<const std::uint8_t> pixels;
+};
+
+/// A block of text, centred horizontally; '\n' breaks lines and long lines wrap.
+struct Caption {
+  std::string text;
+  double centre_y = 0.5;  ///< of the window's height, from the top
+  double size = 0.03;     ///< line height as a part of the window's height
+};
+
+/// Everything that is on the screen at one refresh.
+struct Screen {
+  const Picture* picture = nullptr;  ///< in the middle of the window; none: background
+  bool fixation = false;             ///< a cross in the middle
+  std::vector<Caption> captions;
+  double progress = -1.0;  ///< part of the session done, as a bar at the bottom; < 0: no bar
+};
+
+/// What became of one requested refresh.
+struct Presentation {
+  Instant onset;  ///< the refresh at which the screen appeared
+  TimeSource source = TimeSource::Predicted;
+  Duration lateness{};  ///< onset minus deadline, > half a period when a refresh was missed
+};
+
+struct RefreshEstimate {
+  Duration period{};
+  Duration deviation{};  ///< standard deviation of single periods
+  int count = 0;         ///< periods measured
+  Instant phase;         ///< an instant at which a refresh took place
+};
+
+/// A screen that shows prepared pictures at refresh boundaries. Used by one thread.
+class Display {
+ public:
+  Display() = default;
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+  Display(Display&&) = delete;
+  Display& operator=(Display&&) = delete;
+  virtual ~Display() = default;
+
+  /// Shows `screen` at the first refresh not earlier than `deadline` (less half a period, so that a
+  /// deadline on the refresh grid meets its refresh); blocks until it has been shown. A deadline in
+  /// the past means the next refresh.
+  virtual Presentation present(const Screen& screen, Instant deadline) = 0;
+
+  /// Measured at start-up over at least 100 refreshes, refined with every presentation.
+  [[nodiscard]] virtual RefreshEstimate refresh() const = 0;
+
+  [[nodiscard]] virtual std::string kind() const = 0;         ///< "sdl", "headless", "simulated"
+  [[nodiscard]] virtual std::string description() const = 0;  ///< driver, renderer, size, period
+  [[nodiscard]] virtual TimeSource time_source() const = 0;
+};
+
+/// The refresh nearest to `wanted` on the grid of `estimate`.
+[[nodiscard]] Instant nearest_refresh(const RefreshEstimate& estimate, Instant wanted);
+
+}  // namespace bimodal::runner

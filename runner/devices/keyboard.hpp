@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stimuli/base/quantity.hpp"
+
+namespace bimodal::runner {
+
+enum class Key { Text, Backspace, Enter, Escape, WindowClosed };
+
+struct Keystroke {
+  Key key = Key::Text;
+  std::string text;  ///< UTF-8, for Key::Text
+  Instant at;
+  std::string_view source;  ///< "poll": noticed when polled; "simulated"
+};
+
+/// Where answers come from. Used by the display's thread.
+class Keyboard {
+ public:
+  Keyboard() = default;
+  Keyboard(const Keyboard&) = delete;
+  Keyboard& operator=(const Keyboard&) = delete;
+  Keyboard(Keyboard&&) = delete;
+  Keyboard& operator=(Keyboard&&) = delete;
+  virtual ~Keyboard() = default;
+
+  /// The keystrokes since the last call, in order.
+  [[nodiscard]] virtual std::vector<Keystroke> poll() = 0;
+
+  /// Tells a simulated participant that an answer is awaited from `from` on, and which it gives;
+  /// a real keyboard ignores it.
+  virtual void expect(std::string_view answer, Instant from) = 0;
+};
+
+}  // namespace bimodal::runner

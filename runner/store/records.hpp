@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stimuli/base/quantity.hpp"
+
+namespace bimodal::runner {
+
+/// How a device introduced itself, and what it can vouch for.
+struct DeviceRecord {
+  std::string kind;         ///< "sdl", "headless", "portaudio", "none", "simulated"
+  std::string description;  ///< driver, renderer, host API, latency, as text for people
+  std::string time_source;  ///< what its instants rest on: "swap_returned", "predicted", ...
+};
+
+/// One run of one protocol with one participant.
+struct SessionRecord {
+  std::int64_t id = 0;  ///< given by the store
+  std::string participant;
+  int participant_number = 1;
+  int session_number = 1;
+  std::string protocol_title;
+  std::string protocol_text;    ///< the file as read, byte for byte
+  std::string protocol_sha256;  ///< of protocol_text
+  std::uint64_t seed = 0;
+  std::string program_version;
+  bool simulated_answers = false;  ///< a simulated observer answered
+  bool simulated_time = false;     ///< devices ran on virtual time
+  std::string observer;            ///< the simulated observer's name; empty for people
+  std::string started_utc;         ///< ISO 8601
+  DeviceRecord display;
+  DeviceRecord audio;
+  Duration refresh_period{};     ///< measured; 0 if there is no display
+  Duration refresh_deviation{};  ///< standard deviation of the measured periods
+  int refresh_count = 0;         ///< number of periods measured
+};
+
+/// One trial as planned; all of a session's plan is stored before its first trial.
+struct PlanRecord {
+  int trial = 0;      ///< from 0
+  std::string phase;  ///< "practice" or "main"
+  int block = 0;
+  std::string word;
+  std::string phones;  ///< "S T UW"
+  std::string condition;
+  std::optional<std::string> auditory_talker;
+  std::optional<std::string> visual_talker;
+  std::optional<double> snr_db;
+  std::uint64_t noise_seed = 0;
+};
+
+/// One onset, planned and reported on the session clock.
+struct OnsetRecord {
+  std::string modality;  ///< "auditory" or "visual"
+  Duration planned{};    ///< since session clock zero
+  std::optional<Duration> reported;
+  std::string source;  ///< "predicted", "swap_returned", "driver_reported", "stream_time"
+};
+
+/// The sound of a trial, as it was handed to the device.
+struct SoundRecord {
+  std::string sha256;  ///< of the samples, 32-bit little-endian floats
+  int rate_hz = 0;
+  std::int64_t samples = 0;
+  double speech_dbfs = 0.0;          ///< level in the band over the speech interval
+  std::optional<double> noise_dbfs;  ///< level in the band
+  double band_low_hz = 0.0;
+  double band_high_hz = 0.0;
+  double peak = 0.0;        ///< largest absolute sample
+  Duration speech_start{};  ///< within the sound
+  Duration speech_end{};
+};
+
+/// Which prepared frame each refresh of the stimulus showed, and when. Parallel arrays.
+struct RefreshRecord {
+  std::vector<std::int64_t> frame;  ///< index of the prepared frame
+  std::vector<Duration> planned;    ///< session clock
+  std::vector<Duration> shown;      ///< session clock, by the display's time source
+};
+
+struct KeystrokeRecord {
+  Duration at{};
+  std::string source;  ///< "poll" (noticed when polled), "event", "simulated"
+  std::string key;     ///< the text typed, or "Backspace", "Enter"
+};
+
+struct ResponseRecord {
+  std::string text;                   ///< as submitted, UTF-8; empty for an omission
+  Duration submitted{};               ///< session clock
+  std::optional<Duration> first_key;  ///< session clock
+  bool timed_out = false;
+};
+
+struct EventRecord {
+  Duration at{};
+  std::string kind;  ///< "late_frame", "underflow", "device_lost", "break", "abort", ...
+  std::string detail;
+};
+
+/// Everything about one trial that took place; stored in one transaction.
+struct TrialRecord {
+  int trial = 0;
+  Duration stimulus_start{};  ///< session clock: first refresh of the stimulus, planned
+  Duration stimulus_end{};    ///< session clock: planned
+  std::vector<OnsetRecord> onsets;
+  std::optional<SoundRecord> sound;
+  RefreshRecord refreshes;
+  ResponseRecord response;
+  std::vector<KeystrokeRecord> keystrokes;
+  std::vector<EventRecord> events;
+  bool flagged = false;  ///< timing was not as planned (late frames, underflow)
+};
+
+}  // namespace bimodal::runner

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runner/store/records.hpp"
+
+namespace bimodal::runner {
+
+/// One trial that took place, with its plan. What analysis reads.
+struct StoredTrial {
+  PlanRecord plan;
+  TrialRecord trial;
+};
+
+struct StoredSession {
+  SessionRecord session;
+  std::string outcome;              ///< "complete", "stopped", or "" if it was interrupted
+  std::vector<StoredTrial> trials;  ///< in order of presentation
+  int planned_trials = 0;
+};
+
+/// How much of each trial to read; refreshes and keystrokes are most of the bytes.
+enum class Detail { Responses, Everything };
+
+/// Every session of a SQLite file, which is opened read-only. Throws StoreError.
+[[nodiscard]] std::vector<StoredSession> read_sessions(const std::filesystem::path& file,
+                                                       Detail detail = Detail::Responses);
+
+}  // namespace bimodal::runner

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace bimodal::synth {
+
+enum class Material : std::uint8_t { Skin, Tooth, Gum, Tongue, Eye, Cornea, Lash };
+
+/// What never changes about one part of the head. Millimetres; x = subject's left, y up, z forward;
+/// origin midway between the ear canals at pupil height.
+struct SurfaceDescription {
+  Material material = Material::Skin;
+  std::vector<std::uint32_t> triangles;  ///< three vertex indices each, counter-clockwise outside
+  std::vector<glm::vec3>
+      rest_positions;  ///< solid texture coordinates; for Eye: unit vector, gaze +z
+  std::vector<float>
+      lip;  ///< lip mask: 0 skin, 0.5 vermilion border, 1 vermilion, > 1.6 wet inside
+  std::vector<float> wet;    ///< 1 in the mouth cavity
+  std::vector<float> scalp;  ///< hair mask
+  std::vector<float>
+      special;  ///< Skin: darkness of nostril and lid; Tooth: 0 incisal to 1 cervical
+};
+
+/// The moving part: as many as the description has rest positions.
+struct SurfaceGeometry {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;  ///< unit length
+};
+
+/// Lip and jaw measures of a pose, on the drawn mesh (the terms of natural-lips data).
+struct LipMeasures {
+  double inner_height_mm = 0.0;  ///< opening on the midline; 0 when closed
+  double inner_width_mm = 0.0;   ///< width of the opening; 0 when closed
+  double inner_area_mm2 = 0.0;
+  double outer_width_mm = 0.0;  ///< corner to corner of the vermilion border
+  double outer_height_mm = 0.0;
+  double upper_protrusion_mm = 0.0;  ///< forward of rest
+  double lower_protrusion_mm = 0.0;
+  double chin_drop_mm = 0.0;  ///< below rest
+  glm::vec3 inner_centre{};   ///< centre of the opening, for the light inside the mouth
+};
+
+/// One posed head. Reused from frame to frame, so that posing allocates only once.
+struct PosedHead {
+  std::vector<SurfaceGeometry> surfaces;  ///< parallel to Head::surfaces()
+  LipMeasures lips;
+};
+
+}  // namespace bimodal::synth

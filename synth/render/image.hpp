@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace bimodal::synth {
+
+/// A picture: rows from the top, 4 bytes a pixel (red, green, blue, opaque), sRGB.
+struct Image {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+void write_png(const Image& image, const std::filesystem::path& file);
+[[nodiscard]] Image read_png(const std::filesystem::path& file);
+
+}  // namespace bimodal::synth

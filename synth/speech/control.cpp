@@ -1,0 +1,119 @@
+#include "synth/speech/control.hpp"
+
+#include <algorithm>
+
+namespace bimodal::synth {
+
+namespace {
+
+using enum Control;
+
+// Ranges and meanings are those of the project's head (synth/face); the paper's names are the
+// nearest of Cohen & Massaro (1993, sections 2 and 4).
+constexpr std::array<ControlDescription, kControlCount> kControls{{
+    {Jaw, "jaw", "jaw rotation", "deg", 0, 22, 0, "opening of the lower jaw"},
+    {JawThrust, "jaw_thrust", "jaw forward", "mm", -4, 6, 0, "lower jaw forward"},
+    {LipWidth, "lip_width", "mouth width", "mm", -22, 9, 0, "change of the whole mouth's width"},
+    {LipProtrusion, "lip_protrusion", "mouth z", "mm", -2, 9, 0, "both lips forward, cheeks in"},
+    {LipFunnel, "lip_funnel", "", "ratio", 0, 1, 0, "vermilion turned outward"},
+    {UpperLipRaise, "upper_lip_raise", "upper lip raise", "mm", -3, 7, 0, "upper lip up"},
+    {LowerLipRaise, "lower_lip_raise", "raise lower lip", "mm", -7, 7, 0, "lower lip up"},
+    {LowerLipTuck,
+     "lower_lip_tuck",
+     "lower lip f tuck",
+     "ratio",
+     0,
+     1,
+     0,
+     "lower lip rolled back and carried to the edge of the upper incisors"},
+    {CornerX, "corner_x", "corner x", "mm", -6, 6, 0, "mouth corners outward"},
+    {CornerY, "corner_y", "corner y", "mm", -6, 6, 0, "mouth corners up"},
+    {CornerZ, "corner_z", "corner z", "mm", -6, 6, 0, "mouth corners forward"},
+    {LipClosure,
+     "lip_closure",
+     "",
+     "ratio",
+     0,
+     1,
+     0,
+     "part of the remaining gap between the lips that is closed"},
+    {LipCompression,
+     "lip_compression",
+     "roll lower lip",
+     "ratio",
+     0,
+     1,
+     0,
+     "lips pressed and rolled in"},
+    {CheekPuff, "cheek_puff", "cheek width", "ratio", -1, 1, 0, "cheeks out, times 7 mm"},
+    {TongueLength,
+     "tongue_length",
+     "tongue length",
+     "mm",
+     -14,
+     16,
+     0,
+     "tip forward along the tongue"},
+    {TongueAngle, "tongue_angle", "tongue angle", "deg", -15, 25, 0, "whole tongue turned upward"},
+    {TongueWidth, "tongue_width", "tongue width", "ratio", 0.7, 1.25, 1, "width against rest"},
+    {TongueThickness,
+     "tongue_thickness",
+     "tongue thickness",
+     "ratio",
+     0.6,
+     1.4,
+     1,
+     "thickness against rest"},
+    {TongueTip, "tongue_tip", "", "mm", -6, 16, 0, "tip curled up"},
+    {TongueBack, "tongue_back", "", "mm", -4, 18, 0, "dorsum raised"},
+    {TeethX, "teeth_x", "teeth x", "mm", -4, 4, 0, "both dental arches sideways"},
+    {TeethZ, "teeth_z", "teeth z", "mm", -3, 3, 0, "both dental arches forward"},
+    {LidClosure, "lid_closure", "", "ratio", -0.25, 1, 0, "both lids: 1 is shut"},
+    {RightLidClosure,
+     "right_lid_closure",
+     "",
+     "ratio",
+     0,
+     1,
+     0,
+     "added for the subject's right lid"},
+    {BrowRaise, "brow_raise", "", "mm", -4, 9, 0, "brows up"},
+    {HeadYaw, "head_yaw", "", "deg", -60, 60, 0, "head turned to the subject's left"},
+    {HeadPitch, "head_pitch", "", "deg", -25, 25, 0, "head nodded"},
+    {HeadRoll, "head_roll", "", "deg", -20, 20, 0, "head tilted"},
+    {GazeX, "gaze_x", "", "deg", -30, 30, 0, "eyes to the subject's left"},
+    {GazeY, "gaze_y", "", "deg", -20, 20, 0, "eyes down"},
+}};
+
+constexpr bool in_order_of_the_enumeration() {
+  for (std::size_t i = 0; i < kControlCount; ++i) {
+    if (static_cast<std::size_t>(kControls.at(i).control) != i) return false;
+  }
+  return true;
+}
+
+static_assert(in_order_of_the_enumeration());
+
+}  // namespace
+
+std::span<const ControlDescription, kControlCount> controls() {
+  return kControls;
+}
+
+const ControlDescription& describe(Control control) {
+  return kControls.at(static_cast<std::size_t>(control));
+}
+
+std::optional<Control> control_from_name(std::string_view name) {
+  const auto* const found = std::ranges::find(kControls, name, &ControlDescription::name);
+  if (found == kControls.end()) return std::nullopt;
+  return found->control;
+}
+
+Pose neutral_pose() {
+  Pose pose{};
+  std::ranges::transform(kControls, pose.begin(), &ControlDescription::neutral);
+  return pose;
+}
+
+}  // namespace bimodal::synth

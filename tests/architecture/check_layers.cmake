@@ -1,0 +1,44 @@
+# Fails if a source file includes something its layer must not know. Run by CTest as
+#   cmake -DSOURCE_DIR=<root> -P check_layers.cmake
+# Each rule: <folder> followed by the regular expression of forbidden includes.
+set(rules
+  "stimuli/base"        "\"(stimuli/[^b]|synth|protocols|runner|analysis)/"
+  "stimuli"             "\"(runner|synth|protocols|analysis)/|<(SDL|portaudio|GL/|epoxy|sqlite3)"
+  "stimuli/timeline"    "\"stimuli/(audio|words)/|<(sndfile|soxr|nlohmann)"
+  "stimuli/words"       "\"stimuli/audio/|<(sndfile|soxr)"
+  "stimuli/audio"       "\"stimuli/words/|<nlohmann"
+  "synth"               "\"(runner|protocols|analysis)/|<(SDL|portaudio|sndfile|sqlite3)"
+  "synth/speech"        "\"synth/(face|voice|render|image|studio)/|<(OpenMesh|epoxy|GL/|festival)"
+  "synth/face"          "\"synth/(voice|render|studio)/|<(epoxy|GL/|festival)"
+  "synth/voice"         "\"synth/(face|render|studio)/|<(OpenMesh|epoxy|GL/)"
+  "protocols"           "\"(runner|synth|analysis)/|<(SDL|portaudio|sndfile|GL/|sqlite3)"
+  "protocols/model"     "\"protocols/(reading|design|observers)/|<nlohmann"
+  "protocols/design"    "\"protocols/(reading|observers)/|<nlohmann"
+  "runner"              "\"analysis/"
+  "runner/session"      "\"(synth/(voice|render|face)|runner/(devices/(sdl|portaudio)|store|preparation|cli))/|<(SDL|portaudio|GL/|epoxy|sqlite3)|<(thread|mutex|iostream|fstream)>"
+  "runner/timing"       "\"runner/(devices|store|preparation|cli)/|<(SDL|portaudio|GL/|thread|mutex|iostream|fstream)"
+  "runner/realtime"     "<(SDL|portaudio|mutex|condition_variable|iostream|fstream|string|map)"
+  "runner/store"        "\"(synth|protocols|runner/(devices|session|preparation|cli))/|<(SDL|portaudio|GL/)"
+  "runner/devices"      "\"(synth|protocols|runner/(store|preparation|cli))/|<sqlite3"
+  "runner/preparation"  "\"runner/(devices/(sdl|portaudio)|store|cli)/|<(SDL|portaudio|GL/|epoxy|sqlite3)"
+  "analysis"            "\"(runner/(devices|session|preparation|cli|realtime|timing)|synth)/|<(SDL|portaudio|sndfile|GL/|sqlite3)"
+  "analysis/statistics" "\"analysis/(data|scoring|report|cli)/|<(nlohmann|iostream|fstream)"
+  "analysis/scoring"    "\"analysis/(report|cli)/")
+
+set(violations "")
+while(rules)
+  list(POP_FRONT rules folder forbidden)
+  file(GLOB_RECURSE sources "${SOURCE_DIR}/${folder}/*.hpp" "${SOURCE_DIR}/${folder}/*.cpp")
+  foreach(source IN LISTS sources)
+    file(STRINGS "${source}" includes REGEX "^#include")
+    foreach(include IN LISTS includes)
+      if(include MATCHES "${forbidden}")
+        file(RELATIVE_PATH shown "${SOURCE_DIR}" "${source}")
+        string(APPEND violations "\n  ${shown}: ${include}")
+      endif()
+    endforeach()
+  endforeach()
+endwhile()
+if(violations)
+  message(FATAL_ERROR "These includes break the layering:${violations}")
+endif()
