@@ -187,7 +187,8 @@ class SessionLoop {
 
   void begin_once() {
     if (outcome_.session) return;
-    while (booth_.display.refresh().count < kRefreshesWatched) present({});
+    const bool measures = booth_.display.time_source() != TimeSource::Predicted;
+    while (measures && booth_.display.refresh().count < kRefreshesWatched) present({});
     outcome_.session = parts_.begin(booth_.display.refresh());
   }
 
