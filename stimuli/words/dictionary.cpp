@@ -112,14 +112,19 @@ std::vector<Entry> parse(std::string_view text, const std::string& file) {
 
 Dictionary::Dictionary(const std::filesystem::path& file) {
   auto entries = parse(read_file(file), file.string());
-  std::ranges::stable_sort(entries, {}, &Entry::spelling);
+  std::vector<Entry*> order;  // moving pointers about is quicker than moving entries
+  order.reserve(entries.size());
+  for (auto& entry : entries) order.push_back(&entry);
+  std::ranges::stable_sort(order, {}, [](const Entry* entry) -> const std::string& {
+    return entry->spelling;
+  });
   pronunciations_.reserve(entries.size());
-  for (auto& entry : entries) {
-    if (spellings_.empty() || spellings_.back() != entry.spelling) {
-      spellings_.push_back(std::move(entry.spelling));
+  for (Entry* entry : order) {
+    if (spellings_.empty() || spellings_.back() != entry->spelling) {
+      spellings_.push_back(std::move(entry->spelling));
       begins_.push_back(pronunciations_.size());
     }
-    pronunciations_.push_back(std::move(entry.phones));
+    pronunciations_.push_back(std::move(entry->phones));
   }
   begins_.push_back(pronunciations_.size());
 }
