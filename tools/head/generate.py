@@ -18,6 +18,7 @@ import model
 import tongue
 
 ASSETS = pathlib.Path(__file__).resolve().parents[2] / "synth" / "assets" / "head"
+ANGULAR = {"jaw", "tuck"}  # weights of rotations with arms of up to 100 mm need more digits
 TOLERANCE = 2e-4  # a little more than the last printed digit
 
 
@@ -36,7 +37,9 @@ def write_object(out, offset, name, vertices, groups):
 def head_obj(head):
     out = io.StringIO()
     print("# Control cage of the head, made by tools/head/generate.py.", file=out)
-    print("# Millimetres; x = subject's left, y up, z forward; origin between the ear canals at pupil height.", file=out)
+    print(
+        "# Millimetres; x = subject's left, y up, z forward; origin between the ear canals at pupil height.", file=out
+    )
     groups = {}
     for face, group in zip(head.skinF, head.skinG):
         groups.setdefault({"nostril": "skin"}.get(group, group), []).append(face)
@@ -46,16 +49,17 @@ def head_obj(head):
     return out.getvalue()
 
 
-def number(value):
-    text = "%.4f" % value
+def number(value, digits):
+    text = "%.*f" % (digits, value)
     text = text.rstrip("0").rstrip(".")
     return {"-0": "0"}.get(text, text)
 
 
 def table(columns):
     lines = [",".join(columns)]
+    digits = [6 if name in ANGULAR else 4 for name in columns]
     for row in zip(*columns.values()):
-        lines.append(",".join(number(v) for v in row))
+        lines.append(",".join(number(v, d) for v, d in zip(row, digits)))
     return "\n".join(lines) + "\n"
 
 

@@ -56,6 +56,9 @@ def make():
     vertices, faces = b.ear()
     m.parts["left_ear"] = (vertices, faces)
     m.parts["right_ear"] = (vertices * [-1, 1, 1], [q[::-1] for q in faces])
+    for name in ("lower_teeth", "upper_gum", "tongue"):  # made inside out
+        vertices, faces = m.parts[name]
+        m.parts[name] = (vertices, [q[::-1] for q in faces])
     ball, faces = b.eyeball()
     m.parts["left_eye"] = (ball * b.EYER + b.EYEC, faces)
     m.parts["right_eye"] = (ball * b.EYER + b.EYEC * [-1, 1, 1], faces)
