@@ -1,8 +1,11 @@
 #include "stimuli/audio/band.hpp"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <complex>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -22,10 +25,20 @@ void require_band(const Band& band, Hertz rate) {
 }
 
 Decibels level(std::span<const float> samples) {
-  double squares = 0.0;
-  for (const double sample : samples) squares += sample * sample;
   if (samples.empty()) return decibels(0.0);
-  return decibels(std::sqrt(squares / static_cast<double>(samples.size())));
+  // Several sums side by side: one alone would wait for each addition to end before the next.
+  constexpr std::size_t kSums = 8;
+  std::array<double, kSums> squares{};
+  const auto whole = samples.size() - samples.size() % kSums;
+  for (std::size_t i = 0; i < whole; i += kSums) {
+    for (std::size_t k = 0; k < kSums; ++k) {
+      const auto sample = static_cast<double>(samples[i + k]);
+      squares[k] += sample * sample;
+    }
+  }
+  for (const double sample : samples.subspan(whole)) squares[0] += sample * sample;
+  const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
+  return decibels(std::sqrt(sum / static_cast<double>(samples.size())));
 }
 
 Decibels band_level(std::span<const float> samples,

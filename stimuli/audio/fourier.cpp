@@ -65,13 +65,18 @@ std::span<const std::complex<float>> FourierTransform::forward(std::span<const f
   return plans_->bins;
 }
 
-std::span<const float> FourierTransform::inverse(std::span<const std::complex<float>> bins) {
-  assert(bins.size() >= 2);
-  const auto length = 2 * (bins.size() - 1);
+std::span<std::complex<float>> FourierTransform::empty_spectrum(std::size_t length) {
   assert(fast_length(length) == length);
+  plans_->bins.assign(length / 2 + 1, {});
+  return plans_->bins;
+}
+
+std::span<float> FourierTransform::inverse() {
+  assert(plans_->bins.size() >= 2);
+  const auto length = 2 * (plans_->bins.size() - 1);
   plans_->signal.resize(length);
   kiss_fftri(plans_->plan(length, true),
-             reinterpret_cast<const kiss_fft_cpx*>(bins.data()),
+             reinterpret_cast<const kiss_fft_cpx*>(plans_->bins.data()),
              plans_->signal.data());
   return plans_->signal;
 }

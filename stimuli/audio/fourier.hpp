@@ -28,11 +28,14 @@ class FourierTransform {
   /// size), the signal followed by zeros. The span is valid until the next call.
   [[nodiscard]] std::span<const std::complex<float>> forward(std::span<const float> signal);
 
+  /// The bins 0 ... N/2 of a spectrum of N points, all zero, to be filled and given to inverse().
+  /// N must be a fast_length. Valid until the next call of anything but inverse().
+  [[nodiscard]] std::span<std::complex<float>> empty_spectrum(std::size_t length);
+
   /// x[n] = sum over all N bins of X[k] exp(2 pi i k n / N), the upper half being the complex
-  /// conjugate of the given bins 0 ... N/2 (not divided by N). N = 2 (bins - 1) must be a
-  /// fast_length. The imaginary parts of the first and the last bin are taken as 0.
-  /// The span is valid until the next call.
-  [[nodiscard]] std::span<const float> inverse(std::span<const std::complex<float>> bins);
+  /// conjugate of the bins 0 ... N/2 of the spectrum (not divided by N); the imaginary parts of the
+  /// first and the last bin are taken as 0. Valid until the next call.
+  [[nodiscard]] std::span<float> inverse();
 
  private:
   struct Plans;

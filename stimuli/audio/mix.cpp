@@ -46,9 +46,8 @@ Clip levelled(const MixRequest& request, FourierTransform& fourier) {
 }
 
 double largest_absolute(std::span<const float> samples) {
-  float largest = 0.0F;
-  for (const float sample : samples) largest = std::max(largest, std::abs(sample));
-  return static_cast<double>(largest);
+  const auto [lowest, highest] = std::ranges::minmax(samples);
+  return static_cast<double>(std::max(-lowest, highest));
 }
 
 }  // namespace

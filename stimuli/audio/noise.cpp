@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -63,18 +62,18 @@ std::vector<float> band_noise(const NoiseRequest& request, FourierTransform& fou
   }
   const auto length = fast_length(request.samples);
   const auto in_band = bins_within(request.band, request.rate, length);
-  std::vector<std::complex<float>> spectrum(length / 2 + 1);
+  const auto spectrum = fourier.empty_spectrum(length);
   Random random{request.seed};
   for (std::size_t k = in_band.first; k < in_band.last; ++k) {
     const auto real = static_cast<float>(random.normal());
     const auto imaginary = static_cast<float>(random.normal());
     spectrum[k] = {real, imaginary};
   }
-  const auto endless = fourier.inverse(spectrum).first(request.samples);
+  const auto endless = fourier.inverse().first(request.samples);
   const auto steady = endless.subspan(request.ramp, request.samples - 2 * request.ramp);
   const auto gain = static_cast<float>(amplitude(request.level - level(steady)));
-  std::vector<float> noise(request.samples);
-  std::ranges::transform(endless, noise.begin(), [gain](float sample) { return gain * sample; });
+  std::vector<float> noise(endless.begin(), endless.end());
+  for (auto& sample : noise) sample *= gain;
   apply_ramps(noise, request.ramp);
   return noise;
 }

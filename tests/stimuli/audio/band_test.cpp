@@ -144,7 +144,8 @@ TEST(FourierTransform, TurnsASpectrumBackIntoItsSignal) {
   const auto samples = repeatable(480);
   const auto bins = fourier.forward(samples);
   const std::vector<std::complex<float>> kept{bins.begin(), bins.end()};
-  const auto again = fourier.inverse(kept);
+  std::ranges::copy(kept, fourier.empty_spectrum(480).begin());
+  const auto again = fourier.inverse();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     EXPECT_NEAR(again[i] / 480.0F, samples[i], 1e-5F);
   }
