@@ -14,6 +14,7 @@ target_include_directories(bimodal_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(bimodal_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion
   -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  -Wno-missing-field-initializers  # designated initializers leave the rest at its default on purpose
   $<$<BOOL:${BIMODAL_WERROR}>:-Werror>)
 if(BIMODAL_SANITIZE)
   target_compile_options(bimodal_options INTERFACE

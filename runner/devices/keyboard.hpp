@@ -1,21 +1,12 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "runner/session/keystroke.hpp"
 #include "stimuli/base/quantity.hpp"
 
 namespace bimodal::runner {
-
-enum class Key { Text, Backspace, Enter, Escape, WindowClosed };
-
-struct Keystroke {
-  Key key = Key::Text;
-  std::string text;  ///< UTF-8, for Key::Text
-  Instant at;
-  std::string_view source;  ///< "poll": noticed when polled; "simulated"
-};
 
 /// Where answers come from. Used by the display's thread.
 class Keyboard {

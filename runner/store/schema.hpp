@@ -1,0 +1,133 @@
+#pragma once
+
+namespace bimodal::runner {
+
+/// What `PRAGMA application_id` of a bimodal file reads: "bimo".
+inline constexpr int kApplicationId = 0x62696d6f;
+
+/// `PRAGMA user_version`: raised with every change of the tables; older programs refuse newer
+/// files.
+inline constexpr int kSchemaVersion = 1;
+
+/// The tables of version 1; explained column by column in SCHEMA.md.
+inline constexpr const char* kSchema = R"sql(
+CREATE TABLE protocol (
+  sha256 TEXT PRIMARY KEY,
+  title  TEXT NOT NULL,
+  text   TEXT NOT NULL
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE session (
+  session              INTEGER PRIMARY KEY,
+  participant          TEXT NOT NULL,
+  participant_number   INTEGER NOT NULL,
+  session_number       INTEGER NOT NULL,
+  protocol_sha256      TEXT NOT NULL REFERENCES protocol (sha256),
+  seed                 TEXT NOT NULL,
+  program_version      TEXT NOT NULL,
+  simulated_answers    INTEGER NOT NULL CHECK (simulated_answers IN (0, 1)),
+  simulated_time       INTEGER NOT NULL CHECK (simulated_time IN (0, 1)),
+  observer             TEXT NOT NULL,
+  started_utc          TEXT NOT NULL,
+  ended_utc            TEXT,
+  outcome              TEXT CHECK (outcome IN ('complete', 'stopped')),
+  display_kind         TEXT NOT NULL,
+  display_description  TEXT NOT NULL,
+  display_time_source  TEXT NOT NULL,
+  audio_kind           TEXT NOT NULL,
+  audio_description    TEXT NOT NULL,
+  audio_time_source    TEXT NOT NULL,
+  refresh_period_ns    INTEGER NOT NULL,
+  refresh_deviation_ns INTEGER NOT NULL,
+  refresh_count        INTEGER NOT NULL
+) STRICT;
+
+CREATE TABLE plan (
+  session         INTEGER NOT NULL REFERENCES session (session),
+  trial           INTEGER NOT NULL,
+  phase           TEXT NOT NULL CHECK (phase IN ('practice', 'main')),
+  block           INTEGER NOT NULL,
+  word            TEXT NOT NULL,
+  phones          TEXT NOT NULL,
+  condition       TEXT NOT NULL,
+  auditory_talker TEXT,
+  visual_talker   TEXT,
+  snr_db          REAL,
+  noise_seed      TEXT NOT NULL,
+  PRIMARY KEY (session, trial)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE trial (
+  session            INTEGER NOT NULL,
+  trial              INTEGER NOT NULL,
+  stimulus_start_ns  INTEGER NOT NULL,
+  stimulus_end_ns    INTEGER NOT NULL,
+  flagged            INTEGER NOT NULL CHECK (flagged IN (0, 1)),
+  response           TEXT NOT NULL,
+  submitted_ns       INTEGER NOT NULL,
+  first_key_ns       INTEGER,
+  timed_out          INTEGER NOT NULL CHECK (timed_out IN (0, 1)),
+  refresh_frame      TEXT NOT NULL,
+  refresh_planned_ns TEXT NOT NULL,
+  refresh_shown_ns   TEXT NOT NULL,
+  PRIMARY KEY (session, trial),
+  FOREIGN KEY (session, trial) REFERENCES plan (session, trial)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE onset (
+  session     INTEGER NOT NULL,
+  trial       INTEGER NOT NULL,
+  modality    TEXT NOT NULL CHECK (modality IN ('auditory', 'visual')),
+  planned_ns  INTEGER NOT NULL,
+  reported_ns INTEGER,
+  source      TEXT NOT NULL,
+  PRIMARY KEY (session, trial, modality),
+  FOREIGN KEY (session, trial) REFERENCES trial (session, trial)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE sound (
+  session         INTEGER NOT NULL,
+  trial           INTEGER NOT NULL,
+  sha256          TEXT NOT NULL,
+  rate_hz         INTEGER NOT NULL,
+  samples         INTEGER NOT NULL,
+  speech_dbfs     REAL NOT NULL,
+  noise_dbfs      REAL,
+  band_low_hz     REAL NOT NULL,
+  band_high_hz    REAL NOT NULL,
+  peak            REAL NOT NULL,
+  speech_start_ns INTEGER NOT NULL,
+  speech_end_ns   INTEGER NOT NULL,
+  PRIMARY KEY (session, trial),
+  FOREIGN KEY (session, trial) REFERENCES trial (session, trial)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE keystroke (
+  session INTEGER NOT NULL,
+  trial   INTEGER NOT NULL,
+  ordinal INTEGER NOT NULL,
+  at_ns   INTEGER NOT NULL,
+  source  TEXT NOT NULL,
+  key     TEXT NOT NULL,
+  PRIMARY KEY (session, trial, ordinal),
+  FOREIGN KEY (session, trial) REFERENCES trial (session, trial)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE event (
+  event   INTEGER PRIMARY KEY,
+  session INTEGER NOT NULL REFERENCES session (session),
+  trial   INTEGER,
+  at_ns   INTEGER NOT NULL,
+  kind    TEXT NOT NULL,
+  detail  TEXT NOT NULL
+) STRICT;
+
+CREATE VIEW answers AS
+  SELECT s.participant, s.session, p.trial, p.phase, p.block, p.condition, p.auditory_talker,
+         p.visual_talker, p.snr_db, p.word, p.phones, t.response, t.timed_out, t.flagged,
+         (t.submitted_ns - t.stimulus_end_ns) / 1000000 AS rt_ms,
+         s.simulated_answers, s.simulated_time
+  FROM trial t JOIN plan p USING (session, trial) JOIN session s USING (session);
+)sql";
+
+}  // namespace bimodal::runner

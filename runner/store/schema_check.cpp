@@ -1,0 +1,54 @@
+#include "runner/store/schema_check.hpp"
+
+#include <fmt/format.h>
+
+#include "runner/store/schema.hpp"
+#include "runner/store/store_error.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+bool is_empty(Database& database) {
+  Statement statement{database, "SELECT count(*) FROM sqlite_schema"};
+  return statement.step() && statement.integer(0) == 0;
+}
+
+}  // namespace
+
+void check_schema(Database& database, const std::string& file) {
+  if (database.pragma("application_id") != kApplicationId) {
+    throw StoreError{
+        fmt::format("'{}' is not a bimodal data file; name a file that `bimodal run` or `bimodal "
+                    "rehearse` made",
+                    file)};
+  }
+  const auto version = database.pragma("user_version");
+  if (version > kSchemaVersion) {
+    throw StoreError{fmt::format(
+        "'{}' has data of schema version {}, and this program knows versions up to {}; update "
+        "bimodal, or name another file",
+        file,
+        version,
+        kSchemaVersion)};
+  }
+}
+
+void prepare_schema(Database& database, const std::string& file) {
+  database.execute("PRAGMA journal_mode = WAL");
+  database.execute("PRAGMA synchronous = FULL");
+  database.execute("PRAGMA foreign_keys = ON");
+  if (!is_empty(database)) {
+    check_schema(database, file);
+    return;
+  }
+  Transaction transaction{database};
+  if (is_empty(database)) {  // nobody was quicker
+    database.execute(kSchema);
+    database.execute(fmt::format("PRAGMA application_id = {}", kApplicationId).c_str());
+    database.execute(fmt::format("PRAGMA user_version = {}", kSchemaVersion).c_str());
+  }
+  transaction.commit();
+}
+
+}  // namespace bimodal::runner

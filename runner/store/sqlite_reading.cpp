@@ -1,0 +1,199 @@
+#include <charconv>
+#include <map>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "runner/store/schema_check.hpp"
+#include "runner/store/sqlite.hpp"
+#include "runner/store/store_error.hpp"
+#include "runner/store/stored_session.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+std::uint64_t unsigned_from(const std::string& digits) {
+  std::uint64_t number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
+}
+
+std::optional<std::string> optional_text(const Statement& row, int column) {
+  if (row.is_null(column)) return std::nullopt;
+  return row.text(column);
+}
+
+std::optional<double> optional_real(const Statement& row, int column) {
+  if (row.is_null(column)) return std::nullopt;
+  return row.real(column);
+}
+
+std::optional<Duration> optional_duration(const Statement& row, int column) {
+  if (row.is_null(column)) return std::nullopt;
+  return row.duration(column);
+}
+
+std::vector<std::int64_t> numbers_from(const std::string& json) {
+  const auto parsed = nlohmann::json::parse(json, nullptr, false);
+  if (!parsed.is_array()) throw StoreError{"a list of refreshes in the data file is damaged"};
+  return parsed.get<std::vector<std::int64_t>>();
+}
+
+std::vector<Duration> instants_from(const std::string& json, Duration origin) {
+  std::vector<Duration> instants;
+  for (const auto since : numbers_from(json)) instants.push_back(origin + Duration{since});
+  return instants;
+}
+
+StoredSession session_from(const Statement& row) {
+  StoredSession stored;
+  auto& session = stored.session;
+  session.id = row.integer(0);
+  session.participant = row.text(1);
+  session.participant_number = static_cast<int>(row.integer(2));
+  session.session_number = static_cast<int>(row.integer(3));
+  session.protocol_sha256 = row.text(4);
+  session.protocol_title = row.text(5);
+  session.protocol_text = row.text(6);
+  session.seed = unsigned_from(row.text(7));
+  session.program_version = row.text(8);
+  session.simulated_answers = row.integer(9) != 0;
+  session.simulated_time = row.integer(10) != 0;
+  session.observer = row.text(11);
+  session.started_utc = row.text(12);
+  stored.outcome = row.text(13);
+  session.display = {row.text(14), row.text(15), row.text(16)};
+  session.audio = {row.text(17), row.text(18), row.text(19)};
+  session.refresh_period = row.duration(20);
+  session.refresh_deviation = row.duration(21);
+  session.refresh_count = static_cast<int>(row.integer(22));
+  stored.planned_trials = static_cast<int>(row.integer(23));
+  return stored;
+}
+
+StoredTrial trial_from(const Statement& row, Detail detail) {
+  StoredTrial stored;
+  auto& plan = stored.plan;
+  plan.trial = static_cast<int>(row.integer(1));
+  plan.phase = row.text(2);
+  plan.block = static_cast<int>(row.integer(3));
+  plan.word = row.text(4);
+  plan.phones = row.text(5);
+  plan.condition = row.text(6);
+  plan.auditory_talker = optional_text(row, 7);
+  plan.visual_talker = optional_text(row, 8);
+  plan.snr_db = optional_real(row, 9);
+  plan.noise_seed = unsigned_from(row.text(10));
+  auto& trial = stored.trial;
+  trial.trial = plan.trial;
+  trial.stimulus_start = row.duration(11);
+  trial.stimulus_end = row.duration(12);
+  trial.flagged = row.integer(13) != 0;
+  trial.response.text = row.text(14);
+  trial.response.submitted = row.duration(15);
+  trial.response.first_key = optional_duration(row, 16);
+  trial.response.timed_out = row.integer(17) != 0;
+  if (detail == Detail::Everything) {
+    trial.refreshes.frame = numbers_from(row.text(18));
+    trial.refreshes.planned = instants_from(row.text(19), trial.stimulus_start);
+    trial.refreshes.shown = instants_from(row.text(20), trial.stimulus_start);
+  }
+  return stored;
+}
+
+using TrialsById = std::map<std::pair<std::int64_t, std::int64_t>, TrialRecord*>;
+
+void read_onsets(Database& database, const TrialsById& trials) {
+  Statement row{database,
+                "SELECT session, trial, modality, planned_ns, reported_ns, source FROM onset"};
+  while (row.step()) {
+    trials.at({row.integer(0), row.integer(1)})
+        ->onsets.push_back({row.text(2), row.duration(3), optional_duration(row, 4), row.text(5)});
+  }
+}
+
+void read_sounds(Database& database, const TrialsById& trials) {
+  Statement row{database, "SELECT * FROM sound"};
+  while (row.step()) {
+    trials.at({row.integer(0), row.integer(1)})->sound =
+        SoundRecord{.sha256 = row.text(2),
+                    .rate_hz = static_cast<int>(row.integer(3)),
+                    .samples = row.integer(4),
+                    .speech_dbfs = row.real(5),
+                    .noise_dbfs = optional_real(row, 6),
+                    .band_low_hz = row.real(7),
+                    .band_high_hz = row.real(8),
+                    .peak = row.real(9),
+                    .speech_start = row.duration(10),
+                    .speech_end = row.duration(11)};
+  }
+}
+
+void read_keystrokes(Database& database, const TrialsById& trials) {
+  Statement row{
+      database,
+      "SELECT session, trial, at_ns, source, key FROM keystroke ORDER BY session, trial, ordinal"};
+  while (row.step()) {
+    trials.at({row.integer(0), row.integer(1)})
+        ->keystrokes.push_back({row.duration(2), row.text(3), row.text(4)});
+  }
+}
+
+void read_events(Database& database, const TrialsById& trials) {
+  Statement row{database,
+                "SELECT session, trial, at_ns, kind, detail FROM event WHERE trial IS NOT NULL"};
+  while (row.step()) {
+    trials.at({row.integer(0), row.integer(1)})
+        ->events.push_back({row.duration(2), row.text(3), row.text(4)});
+  }
+}
+
+}  // namespace
+
+std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Detail detail) {
+  Database database{file, Database::Access::Read};
+  check_schema(database, file.string());
+
+  std::vector<StoredSession> sessions;
+  std::map<std::int64_t, std::size_t> position;
+  Statement session_row{
+      database,
+      "SELECT session, participant, participant_number, session_number, protocol_sha256, title, "
+      "text,"
+      " seed, program_version, simulated_answers, simulated_time, observer, started_utc, outcome,"
+      " display_kind, display_description, display_time_source, audio_kind, audio_description,"
+      " audio_time_source, refresh_period_ns, refresh_deviation_ns, refresh_count,"
+      " (SELECT count(*) FROM plan WHERE plan.session = session.session)"
+      " FROM session JOIN protocol ON sha256 = protocol_sha256 ORDER BY session"};
+  while (session_row.step()) {
+    position[session_row.integer(0)] = sessions.size();
+    sessions.push_back(session_from(session_row));
+  }
+
+  Statement trial_row{
+      database,
+      "SELECT session, trial, phase, block, word, phones, condition, auditory_talker,"
+      " visual_talker, snr_db, noise_seed, stimulus_start_ns, stimulus_end_ns, flagged,"
+      " response, submitted_ns, first_key_ns, timed_out, refresh_frame,"
+      " refresh_planned_ns, refresh_shown_ns"
+      " FROM trial JOIN plan USING (session, trial) ORDER BY session, trial"};
+  while (trial_row.step()) {
+    sessions.at(position.at(trial_row.integer(0))).trials.push_back(trial_from(trial_row, detail));
+  }
+  if (detail == Detail::Responses) return sessions;
+
+  TrialsById trials;
+  for (auto& session : sessions) {
+    for (auto& stored : session.trials) {
+      trials[{session.session.id, stored.trial.trial}] = &stored.trial;
+    }
+  }
+  read_onsets(database, trials);
+  read_sounds(database, trials);
+  read_keystrokes(database, trials);
+  read_events(database, trials);
+  return sessions;
+}
+
+}  // namespace bimodal::runner

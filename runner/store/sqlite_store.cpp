@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "runner/store/schema_check.hpp"
+#include "runner/store/session_store.hpp"
+#include "runner/store/sqlite.hpp"
+#include "runner/store/store_error.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+/// "[1,2,3]": arrays that SQLite's json_each, R and Python all read.
+std::string as_json(std::span<const std::int64_t> numbers) {
+  return fmt::format("[{}]", fmt::join(numbers.begin(), numbers.end(), ","));
+}
+
+/// Nanoseconds since `origin`, which keeps the numbers short.
+std::string as_json(std::span<const Duration> instants, Duration origin) {
+  std::vector<std::int64_t> since(instants.size());
+  std::ranges::transform(
+      instants, since.begin(), [&](Duration at) { return (at - origin).count(); });
+  return as_json(since);
+}
+
+class SqliteStore final : public SessionStore {
+ public:
+  explicit SqliteStore(const std::filesystem::path& file)
+      : database_{file, Database::Access::Write}, schema_{database_, file.string()} {}
+
+  std::int64_t begin(const SessionRecord& session, std::span<const PlanRecord> plan) override {
+    Transaction transaction{database_};
+    insert_protocol_.reset()
+        .bind(session.protocol_sha256)
+        .bind(session.protocol_title)
+        .bind(session.protocol_text)
+        .run();
+    insert_session(session);
+    const auto id = database_.last_row();
+    for (const auto& planned : plan) insert_plan(id, planned);
+    transaction.commit();
+    return id;
+  }
+
+  void add(std::int64_t session, const TrialRecord& trial) override {
+    Transaction transaction{database_};
+    insert_trial(session, trial);
+    for (const auto& onset : trial.onsets) {
+      insert_onset_.reset()
+          .bind(session)
+          .bind(trial.trial)
+          .bind(onset.modality)
+          .bind(onset.planned)
+          .bind(onset.reported)
+          .bind(onset.source)
+          .run();
+    }
+    if (trial.sound) insert_sound(session, trial.trial, *trial.sound);
+    int ordinal = 0;
+    for (const auto& stroke : trial.keystrokes) {
+      insert_keystroke_.reset()
+          .bind(session)
+          .bind(trial.trial)
+          .bind(ordinal++)
+          .bind(stroke.at)
+          .bind(stroke.source)
+          .bind(stroke.key)
+          .run();
+    }
+    for (const auto& event : trial.events) insert_event(session, trial.trial, event);
+    transaction.commit();
+  }
+
+  void add(std::int64_t session, const EventRecord& event) override {
+    insert_event(session, std::nullopt, event);
+  }
+
+  void end(std::int64_t session, std::string_view outcome, std::string_view ended_utc) override {
+    end_session_.reset().bind(outcome).bind(ended_utc).bind(session).run();
+  }
+
+ private:
+  /// Runs before the statements below are prepared, for they need the tables.
+  struct Schema {
+    Schema(Database& database, const std::string& file) { prepare_schema(database, file); }
+  };
+
+  void insert_session(const SessionRecord& session) {
+    insert_session_.reset()
+        .bind(session.participant)
+        .bind(session.participant_number)
+        .bind(session.session_number)
+        .bind(session.protocol_sha256)
+        .bind(std::to_string(session.seed))
+        .bind(session.program_version)
+        .bind(session.simulated_answers)
+        .bind(session.simulated_time)
+        .bind(session.observer)
+        .bind(session.started_utc)
+        .bind(session.display.kind)
+        .bind(session.display.description)
+        .bind(session.display.time_source)
+        .bind(session.audio.kind)
+        .bind(session.audio.description)
+        .bind(session.audio.time_source)
+        .bind(session.refresh_period)
+        .bind(session.refresh_deviation)
+        .bind(session.refresh_count)
+        .run();
+  }
+
+  void insert_plan(std::int64_t session, const PlanRecord& planned) {
+    insert_plan_.reset()
+        .bind(session)
+        .bind(planned.trial)
+        .bind(planned.phase)
+        .bind(planned.block)
+        .bind(planned.word)
+        .bind(planned.phones)
+        .bind(planned.condition)
+        .bind(planned.auditory_talker)
+        .bind(planned.visual_talker)
+        .bind(planned.snr_db)
+        .bind(std::to_string(planned.noise_seed))
+        .run();
+  }
+
+  void insert_trial(std::int64_t session, const TrialRecord& trial) {
+    insert_trial_.reset()
+        .bind(session)
+        .bind(trial.trial)
+        .bind(trial.stimulus_start)
+        .bind(trial.stimulus_end)
+        .bind(trial.flagged)
+        .bind(trial.response.text)
+        .bind(trial.response.submitted)
+        .bind(trial.response.first_key)
+        .bind(trial.response.timed_out)
+        .bind(as_json(trial.refreshes.frame))
+        .bind(as_json(trial.refreshes.planned, trial.stimulus_start))
+        .bind(as_json(trial.refreshes.shown, trial.stimulus_start))
+        .run();
+  }
+
+  void insert_sound(std::int64_t session, int trial, const SoundRecord& sound) {
+    insert_sound_.reset()
+        .bind(session)
+        .bind(trial)
+        .bind(sound.sha256)
+        .bind(sound.rate_hz)
+        .bind(sound.samples)
+        .bind(sound.speech_dbfs)
+        .bind(sound.noise_dbfs)
+        .bind(sound.band_low_hz)
+        .bind(sound.band_high_hz)
+        .bind(sound.peak)
+        .bind(sound.speech_start)
+        .bind(sound.speech_end)
+        .run();
+  }
+
+  void insert_event(std::int64_t session, std::optional<int> trial, const EventRecord& event) {
+    insert_event_.reset()
+        .bind(session)
+        .bind(trial)
+        .bind(event.at)
+        .bind(event.kind)
+        .bind(event.detail)
+        .run();
+  }
+
+  Database database_;
+  Schema schema_;
+  Statement insert_protocol_{
+      database_, "INSERT INTO protocol VALUES (?, ?, ?) ON CONFLICT (sha256) DO NOTHING"};
+  Statement insert_session_{database_,
+                            "INSERT INTO session VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, NULL, "
+                            "NULL, ?, ?, ?, ?, ?, ?, "
+                            "?, ?, ?)"};
+  Statement insert_plan_{database_, "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  Statement insert_trial_{database_,
+                          "INSERT INTO trial VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  Statement insert_onset_{database_, "INSERT INTO onset VALUES (?, ?, ?, ?, ?, ?)"};
+  Statement insert_sound_{database_,
+                          "INSERT INTO sound VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  Statement insert_keystroke_{database_, "INSERT INTO keystroke VALUES (?, ?, ?, ?, ?, ?)"};
+  Statement insert_event_{database_, "INSERT INTO event VALUES (NULL, ?, ?, ?, ?, ?)"};
+  Statement end_session_{database_,
+                         "UPDATE session SET outcome = ?, ended_utc = ? WHERE session = ?"};
+};
+
+}  // namespace
+
+std::unique_ptr<SessionStore> open_sqlite_store(const std::filesystem::path& file) {
+  return std::make_unique<SqliteStore>(file);
+}
+
+}  // namespace bimodal::runner

@@ -1,0 +1,176 @@
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+#include "runner/store/session_store.hpp"
+#include "runner/store/store_error.hpp"
+#include "runner/store/stored_session.hpp"
+
+namespace bimodal::runner {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+class SqliteStoreTest : public testing::Test {
+ protected:
+  SqliteStoreTest() {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+
+  ~SqliteStoreTest() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::string refusal() const {
+    try {
+      static_cast<void>(open_sqlite_store(file_));
+    } catch (const StoreError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::filesystem::path folder_ = std::filesystem::path{testing::TempDir()} /
+                                  testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::filesystem::path file_ = folder_ / "data.sqlite";
+};
+
+SessionRecord session() {
+  return {.participant = "P01",
+          .protocol_title = "a test",
+          .protocol_text = "{}",
+          .protocol_sha256 = "abc",
+          .seed = 18'446'744'073'709'551'615U,
+          .program_version = "0",
+          .started_utc = "2026-01-01T00:00:00Z",
+          .display = {"simulated", "d", "predicted"},
+          .audio = {"simulated", "a", "predicted"},
+          .refresh_period = 16'666'667ns};
+}
+
+std::vector<PlanRecord> plan() {
+  return {{.trial = 0,
+           .phase = "main",
+           .word = "stew",
+           .phones = "S T UW",
+           .condition = "bimodal",
+           .auditory_talker = "festival:kal",
+           .visual_talker = "face",
+           .snr_db = -8.0,
+           .noise_seed = 9'223'372'036'854'775'809U},
+          {.trial = 1, .phase = "main", .word = "bee", .phones = "B IY", .condition = "visual"}};
+}
+
+TrialRecord trial(int number) {
+  TrialRecord record;
+  record.trial = number;
+  record.stimulus_start = 5s;
+  record.stimulus_end = 6s;
+  record.onsets = {{"visual", 5s, 5s + 1ms, "swap_returned"},
+                   {"auditory", 5s, std::nullopt, "none"}};
+  record.sound = SoundRecord{.sha256 = "f00", .rate_hz = 48'000, .samples = 3, .noise_dbfs = -18.0};
+  record.refreshes = {{0, 1}, {5s, 5s + 16ms}, {5s + 1ms, 5s + 17ms}};
+  record.response = {.text = "st\xc3\xbc 'DROP TABLE", .submitted = 8s, .first_key = 7s};
+  record.keystrokes = {{7s, "poll", "s"}, {8s, "poll", "Enter"}};
+  record.events = {{5s, "late_frame", "2 refreshes"}};
+  record.flagged = true;
+  return record;
+}
+
+TEST_F(SqliteStoreTest, ReadsBackEverythingThatWasStored) {
+  {
+    const auto store = open_sqlite_store(file_);
+    const auto id = store->begin(session(), plan());
+    store->add(id, trial(0));
+    store->end(id, "stopped", "2026-01-01T01:00:00Z");
+  }
+  const auto sessions = read_sessions(file_, Detail::Everything);
+  ASSERT_EQ(sessions.size(), 1U);
+  EXPECT_EQ(sessions[0].outcome, "stopped");
+  EXPECT_EQ(sessions[0].planned_trials, 2);
+  EXPECT_EQ(sessions[0].session.seed, session().seed);
+  EXPECT_EQ(sessions[0].session.refresh_period, 16'666'667ns);
+  ASSERT_EQ(sessions[0].trials.size(), 1U);
+  const auto& stored = sessions[0].trials[0];
+  EXPECT_EQ(stored.plan.snr_db, -8.0);
+  EXPECT_EQ(stored.plan.noise_seed, plan()[0].noise_seed);
+  EXPECT_EQ(stored.trial.response.text, trial(0).response.text);
+  EXPECT_EQ(stored.trial.refreshes.shown, trial(0).refreshes.shown);
+  ASSERT_EQ(stored.trial.onsets.size(), 2U);
+  EXPECT_EQ(stored.trial.onsets[0].reported, std::nullopt);  // auditory comes first
+  EXPECT_EQ(stored.trial.onsets[1].reported, 5s + 1ms);
+  EXPECT_EQ(stored.trial.sound->noise_dbfs, -18.0);
+  EXPECT_EQ(stored.trial.keystrokes.size(), 2U);
+  EXPECT_EQ(stored.trial.events.at(0).kind, "late_frame");
+}
+
+TEST_F(SqliteStoreTest, AppendsToAnExistingFile) {
+  for (int run = 0; run < 2; ++run) {
+    const auto store = open_sqlite_store(file_);
+    store->add(store->begin(session(), plan()), trial(1));
+  }
+  EXPECT_EQ(read_sessions(file_).size(), 2U);
+}
+
+TEST_F(SqliteStoreTest, IsReadableByItsOwnerOnly) {
+  const auto store = open_sqlite_store(file_);
+  store->begin(session(), plan());
+  for (const auto& entry : std::filesystem::directory_iterator{folder_}) {
+    struct stat status {};
+
+    ASSERT_EQ(::stat(entry.path().c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777U, 0600U) << entry.path();
+  }
+}
+
+TEST_F(SqliteStoreTest, ATrialIsThereForAnotherReaderAsSoonAsAddReturns) {
+  const auto store = open_sqlite_store(file_);
+  const auto id = store->begin(session(), plan());
+  store->add(id, trial(0));
+  EXPECT_EQ(read_sessions(file_).at(0).trials.size(), 1U);
+}
+
+TEST_F(SqliteStoreTest, RefusesATrialThatWasNotPlannedAndKeepsNothingOfIt) {
+  const auto store = open_sqlite_store(file_);
+  const auto id = store->begin(session(), plan());
+  EXPECT_THROW(store->add(id, trial(7)), StoreError);
+  EXPECT_TRUE(read_sessions(file_).at(0).trials.empty());
+}
+
+TEST_F(SqliteStoreTest, RefusesToStoreATrialTwice) {
+  const auto store = open_sqlite_store(file_);
+  const auto id = store->begin(session(), plan());
+  store->add(id, trial(0));
+  EXPECT_THROW(store->add(id, trial(0)), StoreError);
+  EXPECT_EQ(read_sessions(file_, Detail::Everything).at(0).trials.at(0).trial.keystrokes.size(),
+            2U);
+}
+
+TEST_F(SqliteStoreTest, RefusesAFileOfANewerSchemaAndSaysWhatToDo) {
+  static_cast<void>(open_sqlite_store(file_));
+  sqlite3* raw = nullptr;
+  ASSERT_EQ(sqlite3_open(file_.c_str(), &raw), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(raw, "PRAGMA user_version = 99", nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(raw);
+  EXPECT_THAT(refusal(), HasSubstr("schema version 99"));
+  EXPECT_THAT(refusal(), HasSubstr("update bimodal"));
+  EXPECT_THROW(static_cast<void>(read_sessions(file_)), StoreError);
+}
+
+TEST_F(SqliteStoreTest, RefusesAFileOfAnotherProgramAndLeavesItAlone) {
+  std::ofstream{file_} << "participant,answer\nP01,ba\n";
+  EXPECT_THAT(refusal(), HasSubstr("data.sqlite"));
+  EXPECT_EQ(std::filesystem::file_size(file_), 26U);
+}
+
+TEST_F(SqliteStoreTest, NamesAFolderThatCannotBeWrittenTo) {
+  file_ = folder_ / "missing" / "data.sqlite";
+  EXPECT_THAT(refusal(), HasSubstr("--data"));
+}
+
+}  // namespace
+}  // namespace bimodal::runner
