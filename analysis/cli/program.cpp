@@ -1,0 +1,67 @@
+#include "analysis/cli/program.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "analysis/cli/verb.hpp"
+#include "runner/store/store_error.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::analysis {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  bimodal-analysis report session.sqlite -o report
+  bimodal-analysis report P01.sqlite P02.sqlite -o report --exclude-flagged
+  bimodal-analysis matrix session.sqlite --unit vowel --condition visual
+  bimodal-analysis matrix --help
+
+Exit codes: 0 done, 1 nothing to analyse, 2 wrong usage, 3 invalid input,
+5 a data file cannot be read, 70 an error in this program.)";
+
+Exit parse_and_run(std::span<const std::string> arguments, Console console) {
+  CLI::App program{"What the stored sessions of bimodal mean: scores, confusion matrices, reports.",
+                   "bimodal-analysis"};
+  program.footer(kExamples);
+  program.require_subcommand(1);
+  program.set_version_flag("--version",
+                           std::string{"bimodal-analysis "} + std::string{program_version()});
+  Verb chosen;
+  add_report_verb(program, chosen);
+  add_matrix_verb(program, chosen);
+  try {
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
+    program.parse(std::move(reversed));
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error, console.out, console.err) == 0 ? Exit::Done : Exit::Usage;
+  }
+  return chosen(console);
+}
+
+}  // namespace
+
+Exit run_program(std::span<const std::string> arguments, Console console) noexcept {
+  const auto complain = [&](const std::exception& error, Exit code) {
+    console.err << "bimodal-analysis: " << describe(error) << '\n';
+    return code;
+  };
+  try {
+    try {
+      return parse_and_run(arguments, console);
+    } catch (const runner::StoreError& error) {
+      return complain(error, Exit::Store);
+    } catch (const Error& error) {
+      return complain(error, Exit::InvalidInput);
+    } catch (const std::exception& error) {
+      return complain(error, Exit::Internal);
+    }
+  } catch (...) {
+    return Exit::Internal;
+  }
+}
+
+}  // namespace bimodal::analysis

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "analysis/cli/program.hpp"
+#include "analysis/data/stored_data.hpp"
+#include "analysis/report/results.hpp"
+
+namespace bimodal::analysis {
+
+/// What every verb needs to come to results.
+struct AnalysisRequest {
+  std::vector<std::filesystem::path> data;
+  Selection selection;
+  std::filesystem::path dictionary;  ///< empty: the installed one
+  CrossedBootstrap::Options bootstrap;
+};
+
+/// What the user asked for, filled by the command line; run after it has been read.
+using Verb = std::function<Exit(Console)>;
+
+/// Adds DATA and the options that choose trials and the dictionary. `request` must outlive `verb`.
+void add_analysis_options(CLI::App& verb, AnalysisRequest& request);
+
+/// Reads, scores and counts. Throws Error or StoreError.
+[[nodiscard]] Results analyse_request(const AnalysisRequest& request, Console console);
+
+/// "no trial left to analyse: 12 stored, 12 excluded (12 practice trial)": why there is nothing.
+[[nodiscard]] std::string nothing_left(const Dataset& dataset);
+
+/// Each adds its verb to the program; `chosen` becomes the verb that the user named.
+void add_report_verb(CLI::App& program, Verb& chosen);
+void add_matrix_verb(CLI::App& program, Verb& chosen);
+
+/// Of the program, e.g. "0.1.0".
+[[nodiscard]] std::string_view program_version();
+
+}  // namespace bimodal::analysis

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace bimodal::analysis {
+
+/// One field of a CSV table: absent, text, a count or a real number.
+using CsvField = std::variant<std::monostate, std::string_view, std::int64_t, double>;
+
+/// Appends one line (RFC 4180, but ended by a line feed alone). Text is always in quotation marks,
+/// so that "NA", "1e5" and "" stay text; numbers never are, and have a decimal point; an absent
+/// value is an empty field.
+void append_csv(std::string& table, std::span<const CsvField> fields);
+
+}  // namespace bimodal::analysis

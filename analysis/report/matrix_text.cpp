@@ -1,0 +1,83 @@
+#include "analysis/report/matrix_text.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analysis/report/csv.hpp"
+
+namespace bimodal::analysis {
+
+namespace {
+
+std::vector<std::size_t> columns_with_responses(const ConfusionMatrix& matrix) {
+  std::vector<std::size_t> columns;
+  for (std::size_t j = 0; j < matrix.responses().size(); ++j) {
+    for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
+      if (matrix.count(i, j) == 0) continue;
+      columns.push_back(j);
+      break;
+    }
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::string matrix_csv(const ConfusionMatrix& matrix) {
+  std::string table;
+  std::vector<CsvField> line{std::string_view{"stimulus"}};
+  for (const auto& response : matrix.responses()) line.emplace_back(std::string_view{response});
+  append_csv(table, line);
+  for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
+    line.assign({std::string_view{matrix.stimuli()[i]}});
+    for (std::size_t j = 0; j < matrix.responses().size(); ++j)
+      line.emplace_back(matrix.count(i, j));
+    append_csv(table, line);
+  }
+  return table;
+}
+
+std::string matrix_text(const UnitConfusions& confusions) {
+  const auto& matrix = confusions.matrix;
+  const auto columns = columns_with_responses(matrix);
+  std::string text =
+      fmt::format("{}, condition {}: row proportions (rows: stimuli, columns: responses)\n\n{:>8}",
+                  title(confusions.unit),
+                  confusions.condition,
+                  "");
+  const auto width = [&](std::size_t column) {
+    return std::max<std::size_t>(5, matrix.responses()[column].size() + 1);
+  };
+  for (const auto j : columns) text += fmt::format("{:>{}}", matrix.responses()[j], width(j));
+  text += fmt::format("{:>8}\n", "n");
+  for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
+    text += fmt::format("{:>8}", matrix.stimuli()[i]);
+    for (const auto j : columns) {
+      const auto share = matrix.proportion(i, j);
+      const bool shown = share && *share > 0.0;
+      text += fmt::format("{:>{}}", shown ? print_proportion(*share) : "", width(j));
+    }
+    text += fmt::format("{:>8}\n", matrix.row_total(i));
+  }
+  const auto total = matrix.total();
+  text +=
+      total == 0
+          ? std::string{"\nNo responses.\n"}
+          : fmt::format("\nCorrect: {} of {} ({:.1f} %).\n",
+                        matrix.correct(),
+                        total,
+                        100.0 * static_cast<double>(matrix.correct()) / static_cast<double>(total));
+  text += fmt::format("Not in the table: {} ambiguous alignments, {} words without this unit.\n",
+                      confusions.ambiguous,
+                      confusions.lacking);
+  return text;
+}
+
+std::string print_proportion(double proportion) {
+  auto text = fmt::format("{:.2f}", proportion);
+  if (text.starts_with("0.")) text.erase(0, 1);
+  return text;
+}
+
+}  // namespace bimodal::analysis

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/report/confusions.hpp"
+
+namespace bimodal::analysis {
+
+/// A matrix as CSV: the first column is the stimulus, the header names the responses, the cells are
+/// counts. What was left out as ambiguous is not in it.
+[[nodiscard]] std::string matrix_csv(const ConfusionMatrix& matrix);
+
+/// The same for reading in a terminal: row proportions in per cent (nothing for zero), row n, and a
+/// line below that tells what is not in the table. Columns without any response are left out.
+[[nodiscard]] std::string matrix_text(const UnitConfusions& confusions);
+
+/// A proportion as tables of this field print it: two decimals, no leading zero (".07", "1.00").
+[[nodiscard]] std::string print_proportion(double proportion);
+
+}  // namespace bimodal::analysis

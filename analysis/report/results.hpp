@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/data/dataset.hpp"
+#include "analysis/report/confusions.hpp"
+#include "analysis/report/proportions.hpp"
+
+namespace bimodal::analysis {
+
+/// What a condition was, and what became of its trials.
+struct ConditionSummary {
+  std::string name;
+  std::string meaning;  ///< "heard festival:kal at -8 dB S/N; seen face"
+  std::int64_t participants = 0;
+  std::int64_t words = 0;
+  std::int64_t trials = 0;
+  std::int64_t correct = 0;     ///< spelled as the word
+  std::int64_t homophones = 0;  ///< correct by sound
+  std::int64_t wrong = 0;
+  std::int64_t unknown = 0;  ///< not in the dictionary
+  std::int64_t omissions = 0;
+};
+
+/// Where answers were looked up.
+struct DictionarySource {
+  std::string file;
+  std::string sha256;
+};
+
+struct AnalysisOptions {
+  CrossedBootstrap::Options bootstrap;
+  /// Told what is being done; for a progress display.
+  std::function<void(std::string_view step)> progress = [](std::string_view) {};
+};
+
+/// Everything that any table, figure or page shows; computed once.
+struct Results {
+  Dataset dataset;
+  DictionarySource dictionary;
+  CrossedBootstrap::Options bootstrap;
+  std::vector<Score> scores;                 ///< of dataset.trials, one by one
+  std::vector<std::string> participants;     ///< with trials, by their numbers
+  std::vector<ConditionSummary> conditions;  ///< heard, seen, both; then by S/N and name
+  std::vector<Proportion> pooled;            ///< measures within conditions
+  std::vector<Proportion> individual;        ///< measures within participants within conditions
+  std::vector<UnitConfusions> confusions;    ///< conditions within units
+  std::vector<ConditionLikeness> likeness;
+  std::vector<std::string> warnings;  ///< the dataset's, and those of the numbers
+};
+
+[[nodiscard]] Results analyse(Dataset dataset,
+                              const Dictionary& dictionary,
+                              DictionarySource source,
+                              const AnalysisOptions& options = {});
+
+}  // namespace bimodal::analysis

@@ -1,0 +1,114 @@
+#include "analysis/statistics/confusion_matrix.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace bimodal::analysis {
+
+namespace {
+
+std::size_t index_of(const std::vector<std::string>& labels, std::string_view label) {
+  const auto found = std::ranges::find(labels, label);
+  assert(found != labels.end());
+  return static_cast<std::size_t>(found - labels.begin());
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Absent if either has no spread.
+std::optional<double> pearson(const std::vector<double>& xs, const std::vector<double>& ys) {
+  if (xs.size() < 2) return std::nullopt;
+  const double mean_x = mean(xs);
+  const double mean_y = mean(ys);
+  double xx = 0.0;
+  double yy = 0.0;
+  double xy = 0.0;
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    xx += (xs[i] - mean_x) * (xs[i] - mean_x);
+    yy += (ys[i] - mean_y) * (ys[i] - mean_y);
+    xy += (xs[i] - mean_x) * (ys[i] - mean_y);
+  }
+  if (xx <= 0.0 || yy <= 0.0) return std::nullopt;
+  return xy / std::sqrt(xx * yy);
+}
+
+}  // namespace
+
+ConfusionMatrix::ConfusionMatrix(std::vector<std::string> stimuli,
+                                 std::vector<std::string> responses)
+    : stimuli_{std::move(stimuli)},
+      responses_{std::move(responses)},
+      counts_(stimuli_.size() * responses_.size(), 0) {}
+
+void ConfusionMatrix::add(std::string_view stimulus, std::string_view response) {
+  ++counts_[index_of(stimuli_, stimulus) * responses_.size() + index_of(responses_, response)];
+}
+
+std::int64_t ConfusionMatrix::count(std::size_t stimulus, std::size_t response) const {
+  assert(stimulus < stimuli_.size() && response < responses_.size());
+  return counts_[stimulus * responses_.size() + response];
+}
+
+std::int64_t ConfusionMatrix::row_total(std::size_t stimulus) const {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < responses_.size(); ++i) sum += count(stimulus, i);
+  return sum;
+}
+
+std::int64_t ConfusionMatrix::total() const {
+  return std::accumulate(counts_.begin(), counts_.end(), std::int64_t{0});
+}
+
+std::int64_t ConfusionMatrix::correct() const {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < stimuli_.size(); ++i) {
+    for (std::size_t j = 0; j < responses_.size(); ++j) {
+      if (stimuli_[i] == responses_[j]) sum += count(i, j);
+    }
+  }
+  return sum;
+}
+
+std::optional<double> ConfusionMatrix::proportion(std::size_t stimulus,
+                                                  std::size_t response) const {
+  const auto all = row_total(stimulus);
+  if (all == 0) return std::nullopt;
+  return static_cast<double>(count(stimulus, response)) / static_cast<double>(all);
+}
+
+Likeness compare_errors(const ConfusionMatrix& one,
+                        const ConfusionMatrix& other,
+                        const std::vector<std::string>& ignored) {
+  assert(one.stimuli() == other.stimuli() && one.responses() == other.responses());
+  std::vector<double> ones;
+  std::vector<double> others;
+  Likeness likeness;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < one.stimuli().size(); ++i) {
+    for (std::size_t j = 0; j < one.responses().size(); ++j) {
+      const auto& response = one.responses()[j];
+      if (response == one.stimuli()[i]) continue;
+      if (std::ranges::find(ignored, response) != ignored.end()) continue;
+      const auto x = one.proportion(i, j);
+      const auto y = other.proportion(i, j);
+      if (!x || !y) continue;
+      ones.push_back(*x);
+      others.push_back(*y);
+      squares += (*x - *y) * (*x - *y);
+      if (one.count(i, j) + other.count(i, j) > 0) ++likeness.cells_used;
+    }
+  }
+  likeness.cells = ones.size();
+  likeness.correlation = pearson(ones, others);
+  if (!ones.empty()) {
+    likeness.rms_deviation = std::sqrt(squares / static_cast<double>(ones.size()));
+  }
+  return likeness;
+}
+
+}  // namespace bimodal::analysis

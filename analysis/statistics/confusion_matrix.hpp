@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bimodal::analysis {
+
+/// How often each stimulus got each response. Rectangular: responses may have labels that no
+/// stimulus has ("blank", "other"). Labels are text and never interpreted: "NA" is a syllable.
+class ConfusionMatrix {
+ public:
+  ConfusionMatrix() = default;
+
+  /// All counts 0. Labels within an axis are different.
+  ConfusionMatrix(std::vector<std::string> stimuli, std::vector<std::string> responses);
+
+  [[nodiscard]] const std::vector<std::string>& stimuli() const { return stimuli_; }
+
+  [[nodiscard]] const std::vector<std::string>& responses() const { return responses_; }
+
+  /// One more response; both labels exist.
+  void add(std::string_view stimulus, std::string_view response);
+
+  [[nodiscard]] std::int64_t count(std::size_t stimulus, std::size_t response) const;
+  [[nodiscard]] std::int64_t row_total(std::size_t stimulus) const;
+  [[nodiscard]] std::int64_t total() const;
+
+  /// Responses whose label is that of their stimulus.
+  [[nodiscard]] std::int64_t correct() const;
+
+  /// Share of the row; absent where the stimulus never occurred.
+  [[nodiscard]] std::optional<double> proportion(std::size_t stimulus, std::size_t response) const;
+
+ private:
+  std::vector<std::string> stimuli_;
+  std::vector<std::string> responses_;
+  std::vector<std::int64_t> counts_;  ///< row by row
+};
+
+/// How alike the errors of two matrices of the same labels are, over the off-diagonal cells of rows
+/// that occur in both.
+struct Likeness {
+  std::size_t cells = 0;                ///< compared
+  std::size_t cells_used = 0;           ///< not empty in both matrices
+  std::optional<double> correlation;    ///< Pearson's, of row proportions; absent without spread
+  std::optional<double> rms_deviation;  ///< root mean square difference of row proportions
+};
+
+/// Both matrices have the same labels. Responses named in `ignored` ("blank") are not compared.
+[[nodiscard]] Likeness compare_errors(const ConfusionMatrix& one,
+                                      const ConfusionMatrix& other,
+                                      const std::vector<std::string>& ignored = {});
+
+}  // namespace bimodal::analysis
