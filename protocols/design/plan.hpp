@@ -14,7 +14,9 @@ enum class Phase { Practice, Main };
 struct PlannedTrial {
   std::size_t index = 0;  ///< from 0, in order of presentation, practice included
   Phase phase = Phase::Main;
-  int block = 0;  ///< from 0; a new block begins after every break; practice is block 0
+  /// From 0; a new block begins after every break. Practice is block 0, and the first main block
+  /// then 1; without practice the first main block is 0.
+  int block = 0;
   Word word;
   std::size_t condition = 0;  ///< index into Protocol::conditions
   Seed noise_seed = 0;
@@ -32,7 +34,8 @@ struct SessionKey {
 /// are conditions, sizes differing by at most one, and list l meets condition
 /// (l + participant) mod C. EveryCondition: list l meets condition (l + participant + session) mod
 /// C, so that over C sessions each word meets each condition once. Orders are drawn anew for every
-/// participant and session. Throws Error for a session number that the assignment does not have.
+/// participant and session: simple random orders, in which a condition may follow itself. Throws
+/// Error for a session number that the assignment does not have, and where there is no condition.
 [[nodiscard]] std::vector<PlannedTrial> make_plan(const Protocol& protocol,
                                                   const WordList& words,
                                                   const std::vector<Word>& practice,

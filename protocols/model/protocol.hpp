@@ -41,6 +41,7 @@ struct Sound {
 };
 
 struct Practice {
+  std::string list;  ///< as written: a list of the library or a file; empty: spelled out here
   std::vector<std::string>
       words;  ///< spellings outside the main list; one trial each, conditions in turn
 };
@@ -52,7 +53,7 @@ struct Breaks {
 
 /// A typed answer.
 struct Response {
-  std::string prompt;
+  std::string prompt = "Which word was it?";
   std::optional<Duration> time_limit;  ///< from stimulus offset; absent: the participant decides
   int longest = 40;                    ///< characters
 };
@@ -79,7 +80,7 @@ struct Protocol {
   std::string description;
   Seed seed = 0;
   std::vector<std::string> instructions;  ///< pages
-  std::string words;                      ///< as written: a list of the library or a file
+  std::string words;  ///< as written: a list of the library or a file; empty: spelled out here
   std::vector<Condition> conditions;
   Assignment assignment = Assignment::Once;
   Practice practice;

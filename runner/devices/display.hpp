@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runner/devices/clock.hpp"
+#include "runner/timing/refresh_estimate.hpp"
 #include "stimuli/base/quantity.hpp"
 
 namespace bimodal::runner {
@@ -19,11 +20,12 @@ enum class TimeSource { Predicted, SwapReturned, DriverReported, Photodiode };
 [[nodiscard]] std::string_view name(TimeSource source);
 
 /// Pixels to be shown: rows from the top, red, green, blue, unused, 8 bits each. Borrowed: they
-/// live in the prepared trial.
+/// live in the prepared trial, and neither they nor their place changes while pictures follow each
+/// other on the screen (a display may keep what it was last given and look at the address only).
 struct Picture {
   std::size_t width = 0;
   std::size_t height = 0;
-  std::span<const std::uint8_t> pixels;
+  std::span<const std::uint8_t> pixels{};
 };
 
 /// A block of text, centred horizontally; '\n' breaks lines and long lines wrap.
@@ -37,7 +39,7 @@ struct Caption {
 struct Screen {
   const Picture* picture = nullptr;  ///< in the middle of the window; none: background
   bool fixation = false;             ///< a cross in the middle
-  std::vector<Caption> captions;
+  std::vector<Caption> captions{};
   double progress = -1.0;  ///< part of the session done, as a bar at the bottom; < 0: no bar
 };
 
@@ -46,13 +48,6 @@ struct Presentation {
   Instant onset;  ///< the refresh at which the screen appeared
   TimeSource source = TimeSource::Predicted;
   Duration lateness{};  ///< onset minus deadline, > half a period when a refresh was missed
-};
-
-struct RefreshEstimate {
-  Duration period{};
-  Duration deviation{};  ///< standard deviation of single periods
-  int count = 0;         ///< periods measured
-  Instant phase;         ///< an instant at which a refresh took place
 };
 
 /// A screen that shows prepared pictures at refresh boundaries. Used by one thread.
@@ -77,8 +72,5 @@ class Display {
   [[nodiscard]] virtual std::string description() const = 0;  ///< driver, renderer, size, period
   [[nodiscard]] virtual TimeSource time_source() const = 0;
 };
-
-/// The refresh nearest to `wanted` on the grid of `estimate`.
-[[nodiscard]] Instant nearest_refresh(const RefreshEstimate& estimate, Instant wanted);
 
 }  // namespace bimodal::runner

@@ -6,7 +6,8 @@
 
 namespace bimodal {
 
-/// The line, from 1, on which a byte of a text stands; an offset beyond the end gives the last line.
+/// The line, from 1, on which a byte of a text stands; an offset beyond the end gives the last
+/// line.
 [[nodiscard]] std::size_t line_of_offset(std::string_view text, std::size_t offset);
 
 /// The line, from 1, on which the value that an RFC 6901 pointer names begins in a JSON text. The

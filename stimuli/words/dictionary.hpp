@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "stimuli/timeline/phone.hpp"
@@ -35,8 +34,9 @@ class Dictionary {
   [[nodiscard]] std::span<const std::string> spellings() const;
 
  private:
-  std::unordered_map<std::string, std::vector<Pronunciation>> entries_;
   std::vector<std::string> spellings_;
+  std::vector<Pronunciation> pronunciations_;  ///< of the first spelling, of the second, ...
+  std::vector<std::size_t> begins_;            ///< where a spelling's begin; one more for the end
 };
 
 /// Whether there is exactly one vowel.

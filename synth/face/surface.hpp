@@ -48,6 +48,7 @@ struct LipMeasures {
 struct PosedHead {
   std::vector<SurfaceGeometry> surfaces;  ///< parallel to Head::surfaces()
   LipMeasures lips;
+  std::vector<glm::dvec3> skin_cage;  ///< the posed control cage of the skin, before the head turns
 };
 
 }  // namespace bimodal::synth

@@ -14,7 +14,11 @@ struct Image {
   std::vector<std::uint8_t> pixels;
 };
 
+/// Overwrites `file`. Throws Error, naming it, if it cannot be written.
 void write_png(const Image& image, const std::filesystem::path& file);
+
+/// Any PNG without transparency, converted to 8-bit sRGB. Throws Error, naming `file`, if it is
+/// missing, damaged, larger than 16384 x 16384 pixels, or partly transparent.
 [[nodiscard]] Image read_png(const std::filesystem::path& file);
 
 }  // namespace bimodal::synth

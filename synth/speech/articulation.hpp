@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
 #include <vector>
 
 #include "stimuli/timeline/utterance.hpp"
@@ -9,6 +7,25 @@
 #include "synth/speech/segment_table.hpp"
 
 namespace bimodal::synth {
+
+/// The rest before and after speech has its peak this far outside of it (the fit to natural lips
+/// that the dynamics come from was made so).
+inline constexpr Duration kRestDistance = std::chrono::milliseconds{100};
+
+/// The first segment of a diphthong lasts this part of it (as in the fit to natural lips).
+inline constexpr double kDiphthongSplit = 0.55;
+
+/// The segments of the face that an utterance stands for: each phone, diphthongs as their two
+/// halves, neighbouring rests as one. An utterance without phones is one rest.
+[[nodiscard]] std::vector<TimedPhone> segments_of(const Utterance& utterance);
+
+/// The claims that `segments` make on one control, in their order: peak t_c + t_o, where t_c is the
+/// segment's centre (to the nanosecond below). A rest at either end is special: its t_c lies
+/// kRestDistance outside the speech, whatever its duration, and its dominance is constant from its
+/// peak outwards, so that the length of a pause does not change the movement.
+[[nodiscard]] std::vector<Claim> claims_on(Control control,
+                                           const std::vector<TimedPhone>& segments,
+                                           const SegmentTable& table);
 
 /// The movement of the face for one utterance: every speech control as a function of time, by the
 /// dominance model of Cohen & Massaro (1993, equations 1-6). Values may lie beyond a control's
@@ -25,7 +42,35 @@ class Articulation {
   [[nodiscard]] std::vector<Pose> sample(Hertz rate) const;
 
  private:
-  std::array<std::vector<Claim>, kSpeechControlCount> claims_;
+  /// One segment's dominance over the controls of a channel.
+  struct Peak {
+    double time_ms;
+    double log_alpha;
+    double theta_before;
+    double theta_after;
+    double exponent;
+
+    bool operator==(const Peak&) const = default;
+  };
+
+  struct ControlTargets {
+    Control control;
+    std::vector<double> targets;  ///< one per peak
+  };
+
+  /// Controls that move with the same dynamics, whose weights are computed once for all of them.
+  struct Channel {
+    std::vector<Peak> peaks;
+    std::vector<ControlTargets> controls;
+  };
+
+  /// Sets the channel's controls in `pose` to equation 6 at `time_ms`; `weights` is work space.
+  static void blend(const Channel& channel,
+                    double time_ms,
+                    std::vector<double>& weights,
+                    Pose& pose);
+
+  std::vector<Channel> channels_;
   Duration end_{};
 };
 

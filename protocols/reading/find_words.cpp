@@ -1,0 +1,139 @@
+#include "protocols/reading/find_words.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "protocols/reading/json_text.hpp"
+#include "protocols/reading/object_reader.hpp"
+#include "protocols/reading/obstacle.hpp"
+#include "stimuli/base/asset.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::protocols {
+
+namespace {
+
+constexpr std::string_view kLibrary = "stimuli/assets/words";
+
+bool is_path(std::string_view list) {
+  return list.ends_with(".json") || list.find('/') != std::string_view::npos;
+}
+
+std::vector<std::string> names_in_library() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator{asset(kLibrary)}) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// The file of a list that is named, not a path; noted and absent if the library has none.
+std::optional<std::filesystem::path> file_in_library(const WordChoice& choice, Findings& findings) {
+  try {
+    const auto names = names_in_library();
+    if (std::ranges::find(names, choice.list) != names.end()) {
+      return asset(fmt::format("{}/{}.json", kLibrary, choice.list));
+    }
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    findings.error(choice.pointer,
+                   fmt::format("the library has no word list {}", shown(choice.list)),
+                   suggestion(choice.list, known) +
+                       "; for a list of your own give its path, which ends in .json");
+  } catch (const std::exception& error) {
+    findings.error(choice.pointer, "the library of word lists cannot be read", describe(error));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+WordFinder::WordFinder(std::filesystem::path protocol_folder,
+                       std::filesystem::path dictionary,
+                       Findings& findings)
+    : folder_{std::move(protocol_folder)},
+      dictionary_file_{std::move(dictionary)},
+      findings_{&findings} {}
+
+std::vector<Word> WordFinder::find(const WordChoice& choice) {
+  return choice.list.empty() ? look_up(choice) : read_list(choice);
+}
+
+const Dictionary* WordFinder::dictionary(std::string_view pointer) {
+  if (!dictionary_ && !dictionary_failed_) {
+    try {
+      dictionary_.emplace(dictionary_file_.empty() ? Dictionary::installed() : dictionary_file_);
+    } catch (const std::exception& error) {
+      dictionary_failed_ = true;
+      findings_->error(
+          pointer, "the pronunciations of these words cannot be looked up", describe(error));
+    }
+  }
+  return dictionary_ ? &*dictionary_ : nullptr;
+}
+
+std::vector<Word> WordFinder::look_up(const WordChoice& choice) {
+  std::vector<Word> words;
+  std::map<std::string, std::string> pointer_of;
+  for (std::size_t i = 0; i < choice.spellings.size(); ++i) {
+    const auto& spelling = choice.spellings[i];
+    const auto& pointer = choice.pointers[i];
+    const auto [earlier, is_new] = pointer_of.emplace(spelling, pointer);
+    if (!is_new) {
+      findings_->error(pointer,
+                       fmt::format("{} is already at {}", shown(spelling), earlier->second),
+                       "remove one of them");
+      continue;
+    }
+    const auto* dictionary = this->dictionary(choice.pointer);
+    if (dictionary == nullptr) continue;
+    const auto pronunciations = dictionary->pronunciations(spelling);
+    if (pronunciations.empty()) {
+      findings_->error(pointer,
+                       fmt::format("{} has no pronunciation in the dictionary", shown(spelling)),
+                       "check its spelling, or write a word list with its phones");
+      continue;
+    }
+    words.push_back({spelling, pronunciations.front()});
+  }
+  return words;
+}
+
+std::vector<Word> WordFinder::read_list(const WordChoice& choice) {
+  auto file = is_path(choice.list) ? std::optional{folder_ / choice.list}
+                                   : file_in_library(choice, *findings_);
+  if (!file) return {};
+  if (const auto reason = obstacle(*file)) {
+    findings_->error(choice.pointer,
+                     fmt::format("cannot read the word list '{}': {}", file->string(), *reason),
+                     "give a path relative to the protocol, or the name of a list of the library");
+    return {};
+  }
+  try {
+    std::vector<Diagnostic> found;
+    auto list = read_word_list(*file, found);
+    if (has_errors(found)) {
+      findings_->error(choice.pointer,
+                       fmt::format("the word list '{}' has mistakes", file->string()),
+                       "mend them; they are listed too");
+    }
+    list_findings_.insert(list_findings_.end(), found.begin(), found.end());
+    for (const auto& word : list.words) {
+      if (!word.phones.empty() || has_errors(found)) continue;
+      findings_->error(
+          choice.pointer,
+          fmt::format("{} in '{}' has no phones", shown(word.spelling), file->string()),
+          "add its pronunciation");
+    }
+    return std::move(list.words);
+  } catch (const std::exception& error) {
+    findings_->error(choice.pointer, "the word list cannot be read", describe(error));
+    return {};
+  }
+}
+
+}  // namespace bimodal::protocols

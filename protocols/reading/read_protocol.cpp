@@ -1,0 +1,111 @@
+#include "protocols/reading/read_protocol.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "protocols/reading/find_words.hpp"
+#include "protocols/reading/findings.hpp"
+#include "protocols/reading/json_lines.hpp"
+#include "protocols/reading/json_text.hpp"
+#include "protocols/reading/meaning.hpp"
+#include "protocols/reading/obstacle.hpp"
+#include "protocols/reading/structure.hpp"
+#include "stimuli/base/digest.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::protocols {
+
+namespace {
+
+void refuse_duplicates(const JsonLines& lines, Findings& findings) {
+  for (const auto& duplicate : lines.duplicates()) {
+    findings.error(duplicate.pointer,
+                   fmt::format("the same key is already on line {}", duplicate.earlier_line),
+                   "remove one of them");
+  }
+}
+
+/// The words that the protocol asks for, put where they belong.
+void find_words(const Structure& structure, WordFinder& finder, ReadProtocol& read) {
+  const std::string file = read.words.name;
+  if (structure.words) {
+    read.words.name =
+        structure.words->list.empty() ? fmt::format("{}#/words", file) : structure.words->list;
+    read.words.words = finder.find(*structure.words);
+  }
+  if (structure.practice) {
+    read.practice = finder.find(*structure.practice);
+    for (const auto& word : read.practice) read.protocol.practice.words.push_back(word.spelling);
+  }
+}
+
+/// The findings with file and line, in the order of the lines.
+std::vector<Diagnostic> located(const Findings& findings,
+                                const JsonLines& lines,
+                                const std::string& file) {
+  auto diagnostics = findings.all();
+  for (auto& diagnostic : diagnostics) {
+    diagnostic.file = file;
+    diagnostic.line = lines.line_of(diagnostic.pointer);
+  }
+  std::ranges::stable_sort(diagnostics, {}, &Diagnostic::line);
+  return diagnostics;
+}
+
+}  // namespace
+
+ReadProtocol read_protocol_text(std::string text,
+                                const std::filesystem::path& file,
+                                const ReadOptions& options) {
+  ReadProtocol read;
+  read.text = std::move(text);
+  read.sha256 = sha256(read.text);
+  const auto parsed = parse_json(read.text);
+  if (const auto* fault = std::get_if<TextFault>(&parsed)) {
+    read.diagnostics.push_back(
+        {Severity::Error, file.string(), fault->line, "", fault->finding, fault->remedy});
+    return read;
+  }
+  const JsonLines lines{read.text};
+  Findings findings;
+  refuse_duplicates(lines, findings);
+  auto structure = read_structure(std::get<nlohmann::json>(parsed), findings);
+  read.protocol = structure.protocol;
+
+  read.words.name = file.filename().string();
+  WordFinder finder{file.parent_path(), options.dictionary, findings};
+  find_words(structure, finder, read);
+  judge_meaning(read.protocol, read.words.words, read.practice, findings);
+
+  read.diagnostics = located(findings, lines, file.string());
+  const auto& of_lists = finder.list_findings();
+  read.diagnostics.insert(read.diagnostics.end(), of_lists.begin(), of_lists.end());
+  return read;
+}
+
+ReadProtocol read_protocol(const std::filesystem::path& file, const ReadOptions& options) {
+  const auto refuse = [&file](std::string finding) {
+    ReadProtocol read;
+    read.diagnostics.push_back(
+        {Severity::Error,
+         file.string(),
+         0,
+         "",
+         std::move(finding),
+         "give the path of a protocol, e.g. protocols/library/words414.json"});
+    return read;
+  };
+  if (const auto reason = obstacle(file)) {
+    return refuse("cannot read the protocol: " + *reason);
+  }
+  try {
+    return read_protocol_text(read_file(file), file, options);
+  } catch (const Error& error) {
+    return refuse(describe(error));
+  }
+}
+
+}  // namespace bimodal::protocols

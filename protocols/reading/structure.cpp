@@ -1,0 +1,336 @@
+#include "protocols/reading/structure.hpp"
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "protocols/reading/json_text.hpp"
+#include "protocols/reading/object_reader.hpp"
+
+namespace bimodal::protocols {
+
+namespace {
+
+using Json = nlohmann::json;
+using namespace std::chrono_literals;
+
+constexpr std::size_t kMostPages = 100;
+constexpr std::size_t kMostConditions = 100;
+constexpr std::size_t kMostWords = 10'000;
+constexpr NumberRule kSeconds{0, 60, "a time in seconds, e.g. 0.5"};
+
+constexpr std::array<std::string_view, 2> kVoices{"festival:kal", "festival:slt"};
+constexpr std::array<std::string_view, 1> kFaces{"face"};
+constexpr std::array<std::string_view, 2> kAssignments{"once", "every-condition"};
+constexpr std::array<std::string_view, 1> kResponseKinds{"typed"};
+constexpr std::array<std::string_view, 1> kNoiseKinds{"white"};
+
+/// Replaces a default by what was read, if anything was.
+template <typename T>
+void take(T& target, std::optional<T> read) {
+  if (read) target = std::move(*read);
+}
+
+void take_whole(int& target, std::optional<std::int64_t> read) {
+  if (read) target = static_cast<int>(*read);
+}
+
+/// {"talker": "festival:kal"}, or null or nothing for none.
+std::optional<std::string> read_talker(ObjectReader& parent,
+                                       std::string_view key,
+                                       std::span<const std::string_view> talkers) {
+  const auto* value = parent.find(key);
+  if (value == nullptr || value->is_null()) return std::nullopt;
+  auto reader = *parent.object(key);
+  reader.require("talker", fmt::format("\"{}\"", talkers.front()));
+  const auto chosen = reader.choice("talker", talkers);
+  reader.refuse_unknown_keys();
+  if (!chosen) return std::nullopt;
+  return std::string{talkers[*chosen]};
+}
+
+/// Whether the talkers and the ratio of one condition go together; what is faulty is left alone.
+void judge_condition(const ObjectReader& reader,
+                     const Condition& condition,
+                     bool has_timing,
+                     Findings& findings) {
+  if (findings.faulty(reader.pointer_to("auditory"))) return;
+  if (condition.auditory_talker) {
+    if (has_timing) {
+      findings.error(reader.pointer_to("timing"),
+                     "where a voice is heard, that voice times the face",
+                     "remove \"timing\"");
+    }
+    return;
+  }
+  if (!condition.visual_talker && !findings.faulty(reader.pointer_to("visual"))) {
+    findings.error(reader.pointer(),
+                   "nothing is heard and nothing is seen",
+                   "give \"auditory\" or \"visual\" or both a talker");
+  }
+  if (condition.snr) {
+    findings.error(reader.pointer_to("snr_db"),
+                   "there is a speech-to-noise ratio but no speech",
+                   "remove it, or give \"auditory\" a talker");
+  }
+}
+
+Condition read_condition(const Json& value, std::string pointer, Findings& findings) {
+  Condition condition;
+  ObjectReader reader{value, std::move(pointer), findings};
+  const TextRule name{.shortest = 1,
+                      .longest = 40,
+                      .meaning = "a short name, e.g. \"bimodal\"; tables and figures show it"};
+  reader.require("name", "\"bimodal\"");
+  take(condition.name, reader.text("name", name));
+  condition.auditory_talker = read_talker(reader, "auditory", kVoices);
+  condition.visual_talker = read_talker(reader, "visual", kFaces);
+  const auto timing = read_talker(reader, "timing", kVoices);
+  const bool has_timing = timing.has_value();
+  condition.timing_talker =
+      condition.auditory_talker.value_or(timing.value_or(condition.timing_talker));
+  const auto* snr = reader.find("snr_db");
+  if (snr != nullptr && !snr->is_null()) {
+    const auto ratio = reader.number("snr_db", {-60, 60, "the ratio in dB, e.g. -8"});
+    if (ratio) condition.snr = Decibels{*ratio};
+  }
+  judge_condition(reader, condition, has_timing, findings);
+  reader.refuse_unknown_keys();
+  return condition;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower{text};
+  for (char& letter : lower) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return lower;
+}
+
+/// A name or path, or an array of spellings.
+std::optional<WordChoice> read_words(ObjectReader& reader, std::string_view key) {
+  const auto* value = reader.find(key);
+  if (value == nullptr) return std::nullopt;
+  WordChoice choice{.pointer = reader.pointer_to(key), .list = {}, .spellings = {}, .pointers = {}};
+  if (!value->is_array()) {
+    const TextRule name{.shortest = 1,
+                        .longest = 500,
+                        .meaning =
+                            "the name of a word list of the library, e.g. "
+                            "\"monosyllables-414\", the path of a word list relative to the "
+                            "protocol, or an array of words, e.g. [\"cat\", \"dog\"]"};
+    auto list = reader.text(key, name);
+    if (!list) return std::nullopt;
+    choice.list = std::move(*list);
+    return choice;
+  }
+  const TextRule word{.shortest = 1, .longest = 40, .meaning = "a word, e.g. \"cat\""};
+  for (const auto& [item, pointer] : reader.items(key, 1, kMostWords)) {
+    if (auto spelling = reader.text_of(*item, pointer, word)) {
+      choice.spellings.push_back(lower_case(*spelling));
+      choice.pointers.push_back(pointer);
+    }
+  }
+  return choice;
+}
+
+std::vector<Condition> read_conditions(ObjectReader& reader, Findings& findings) {
+  std::vector<Condition> conditions;
+  for (const auto& [item, pointer] : reader.items("conditions", 1, kMostConditions)) {
+    conditions.push_back(read_condition(*item, pointer, findings));
+  }
+  return conditions;
+}
+
+std::optional<WordChoice> read_practice(ObjectReader& parent) {
+  auto reader = parent.object("practice");
+  if (!reader) return std::nullopt;
+  reader->require("words", "[\"cat\", \"dog\"]");
+  auto words = read_words(*reader, "words");
+  reader->refuse_unknown_keys();
+  return words;
+}
+
+void read_breaks(ObjectReader& parent, Breaks& breaks) {
+  auto reader = parent.object("breaks");
+  if (!reader) return;
+  reader->require("every_trials", "100");
+  take_whole(
+      breaks.every_trials,
+      reader->whole("every_trials",
+                    {0, 10'000, "the number of trials from break to break, e.g. 100; 0 for none"}));
+  take(breaks.text, reader->text("text", {.one_line = false, .meaning = "a text to show"}));
+  reader->refuse_unknown_keys();
+}
+
+void read_response(ObjectReader& parent, Response& response) {
+  auto reader = parent.object("response");
+  if (!reader) return;
+  static_cast<void>(reader->choice("kind", kResponseKinds));
+  take(response.prompt,
+       reader->text("prompt", {.longest = 200, .meaning = "a question of one line"}));
+  const auto* limit = reader->find("time_limit_s");
+  if (limit != nullptr && !limit->is_null()) {
+    response.time_limit = reader->time(
+        "time_limit_s", 1s, {0.1, 600, "a time in seconds, e.g. 10, or null for no limit"});
+  }
+  take_whole(response.longest,
+             reader->whole("longest", {1, 200, "the most characters of an answer, e.g. 40"}));
+  reader->refuse_unknown_keys();
+}
+
+void read_intervals(ObjectReader& parent, Intervals& intervals) {
+  auto reader = parent.object("intervals");
+  if (!reader) return;
+  take(intervals.fixation, reader->time("fixation_s", 1s, kSeconds));
+  take(intervals.lead, reader->time("lead_s", 1s, kSeconds));
+  take(intervals.trail, reader->time("trail_s", 1s, kSeconds));
+  take(intervals.pause, reader->time("pause_s", 1s, kSeconds));
+  take(intervals.av_offset,
+       reader->time("av_offset_ms",
+                    1ms,
+                    {-1'000,
+                     1'000,
+                     "audio minus visual in milliseconds, e.g. 100: the sound lags by 100 ms"}));
+  reader->refuse_unknown_keys();
+}
+
+void read_band(ObjectReader& reader, Noise& noise, Findings& findings) {
+  constexpr NumberRule kEdge{1, 96'000, "a frequency in Hz, e.g. 8000"};
+  const auto edges = reader.items("band_hz", 2, 2);
+  if (edges.empty()) return;
+  const auto low = reader.number_of(*edges[0].first, edges[0].second, kEdge);
+  const auto high = reader.number_of(*edges[1].first, edges[1].second, kEdge);
+  if (!low || !high) return;
+  if (*low >= *high) {
+    findings.error(reader.pointer_to("band_hz"),
+                   fmt::format("the lower edge, {} Hz, is not below the upper, {} Hz", *low, *high),
+                   "write the lower edge first, e.g. [80, 8000]");
+    return;
+  }
+  noise.band_low = Hertz{*low};
+  noise.band_high = Hertz{*high};
+}
+
+void read_noise(ObjectReader& parent, Noise& noise, Findings& findings) {
+  auto reader = parent.object("noise");
+  if (!reader) return;
+  static_cast<void>(reader->choice("kind", kNoiseKinds));
+  read_band(*reader, noise, findings);
+  take(noise.lead, reader->time("lead_s", 1s, kSeconds));
+  take(noise.trail, reader->time("trail_s", 1s, kSeconds));
+  take(noise.ramp, reader->time("ramp_ms", 1ms, {0, 1'000, "a time in milliseconds, e.g. 50"}));
+  reader->refuse_unknown_keys();
+}
+
+void read_sound(ObjectReader& parent, Sound& sound, Findings& findings) {
+  auto reader = parent.object("sound");
+  if (!reader) return;
+  const auto rate = reader->whole("rate_hz", {8'000, 192'000, "samples per second, e.g. 48000"});
+  if (rate) sound.rate = Hertz{static_cast<double>(*rate)};
+  const auto level = reader->number(
+      "speech_level_dbfs", {-80, 0, "the RMS level of the speech in dB re full scale, e.g. -26"});
+  if (level) sound.speech_level = Decibels{*level};
+  read_noise(*reader, sound.noise, findings);
+  reader->refuse_unknown_keys();
+}
+
+/// "#606060" as 0x606060.
+void read_background(ObjectReader& reader, std::uint32_t& background, Findings& findings) {
+  const auto written =
+      reader.text("background", {.longest = 40, .meaning = "a colour, e.g. \"#606060\""});
+  if (!written) return;
+  constexpr std::size_t kLength = 7;
+  std::uint32_t colour = 0;
+  bool good = written->size() == kLength && written->front() == '#';
+  if (good) {
+    const char* end = written->data() + written->size();
+    const auto [stopped, fault] = std::from_chars(written->data() + 1, end, colour, 16);
+    good = fault == std::errc{} && stopped == end;
+  }
+  if (!good) {
+    findings.error(reader.pointer_to("background"),
+                   fmt::format("{} is not a colour", shown(Json(*written))),
+                   "give red, green, blue in two hexadecimal digits each, e.g. \"#606060\"");
+    return;
+  }
+  background = colour;
+}
+
+void read_window(ObjectReader& parent, Window& window, Findings& findings) {
+  auto reader = parent.object("window");
+  if (!reader) return;
+  constexpr NumberRule kPixels{320, 8'192, "a number of pixels, e.g. 1024"};
+  take_whole(window.width, reader->whole("width", kPixels));
+  take_whole(window.height, reader->whole("height", kPixels));
+  take(window.fullscreen, reader->flag("fullscreen"));
+  take_whole(window.face_height,
+             reader->whole("face_height", {64, 8'192, "a number of pixels, e.g. 720"}));
+  read_background(*reader, window.background, findings);
+  reader->refuse_unknown_keys();
+}
+
+/// Whether the rest may be read.
+bool judge_format(ObjectReader& reader, Findings& findings) {
+  const NumberRule format{1, 1e9, "the format of this file: 1"};
+  if (reader.require("bimodal_protocol", "1 (the format of this file)") == nullptr) return true;
+  const auto written = reader.whole("bimodal_protocol", format);
+  if (!written || *written <= kProtocolFormat) return true;
+  findings.error(reader.pointer_to("bimodal_protocol"),
+                 fmt::format("written for a newer Bimodal: format {}, and this one reads up to {}",
+                             *written,
+                             kProtocolFormat),
+                 "update Bimodal");
+  return false;
+}
+
+void read_texts(ObjectReader& reader, Protocol& protocol) {
+  reader.require("title", "\"My experiment\"");
+  take(protocol.title,
+       reader.text("title", {.shortest = 1, .longest = 200, .meaning = "a title of one line"}));
+  take(protocol.description,
+       reader.text("description",
+                   {.longest = 10'000, .one_line = false, .meaning = "a description"}));
+  for (const auto& [item, pointer] : reader.items("instructions", 0, kMostPages)) {
+    auto page = reader.text_of(
+        *item, pointer, {.shortest = 1, .one_line = false, .meaning = "the text of one page"});
+    if (page) protocol.instructions.push_back(std::move(*page));
+  }
+  take(protocol.farewell,
+       reader.text("farewell", {.one_line = false, .meaning = "a text to show at the end"}));
+}
+
+}  // namespace
+
+Structure read_structure(const Json& json, Findings& findings) {
+  Structure structure;
+  auto& protocol = structure.protocol;
+  ObjectReader reader{json, "", findings};
+  if (!judge_format(reader, findings)) return structure;
+  static_cast<void>(
+      reader.text("$schema", {.longest = 500, .meaning = "the address of the schema"}));
+  read_texts(reader, protocol);
+  reader.require("seed", "1993 (any whole number; it decides everything that is random)");
+  const auto seed = reader.whole("seed", {0, 9007199254740991.0, "a whole number, e.g. 1993"});
+  if (seed) protocol.seed = static_cast<Seed>(*seed);
+  reader.require("words", "\"monosyllables-414\"");
+  structure.words = read_words(reader, "words");
+  if (structure.words) protocol.words = structure.words->list;
+  reader.require("conditions", "[ { \"name\": ..., \"auditory\": ..., \"visual\": ... } ]");
+  protocol.conditions = read_conditions(reader, findings);
+  const auto assignment = reader.choice("assignment", kAssignments);
+  if (assignment) protocol.assignment = static_cast<Assignment>(*assignment);
+  structure.practice = read_practice(reader);
+  if (structure.practice) protocol.practice.list = structure.practice->list;
+  read_breaks(reader, protocol.breaks);
+  read_response(reader, protocol.response);
+  read_intervals(reader, protocol.intervals);
+  read_sound(reader, protocol.sound, findings);
+  read_window(reader, protocol.window, findings);
+  reader.refuse_unknown_keys();
+  return structure;
+}
+
+}  // namespace bimodal::protocols

@@ -1,0 +1,226 @@
+#include "runner/booth/session_loop.hpp"
+
+#include <algorithm>
+#include <future>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "runner/booth/stimulus_presentation.hpp"
+#include "runner/session/session_steps.hpp"
+#include "runner/session/trial_machine.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Before the first trial the display must have been watched for this many refreshes.
+constexpr int kRefreshesWatched = 100;
+
+/// From scheduling to the first refresh at the earliest, whatever the sound needs.
+constexpr Duration kSchedulingMargin = 50ms;
+
+constexpr const char* kStopQuestion =
+    "Stop the session here?\n\nEscape: stop. What has been answered is kept.\nEnter: go on.";
+
+Duration since_zero(Instant at) {
+  return at.time_since_epoch();
+}
+
+class SessionLoop {
+ public:
+  explicit SessionLoop(const SessionParts& parts) : parts_{parts}, booth_{parts.booth} {}
+
+  SessionOutcome run() {
+    for (const auto& step : session_steps(parts_.protocol, parts_.plan)) {
+      const bool go_on = std::holds_alternative<PageStep>(step)
+                             ? show_page(std::get<PageStep>(step))
+                             : run_trial(std::get<TrialStep>(step));
+      if (!go_on) return outcome_;
+    }
+    outcome_.complete = true;
+    return outcome_;
+  }
+
+  /// What the participant sees while the session ends because of an error.
+  void show_neutral() { present({}); }
+
+ private:
+  void present(const Screen& screen) {
+    static_cast<void>(booth_.display.present(screen, booth_.clock.now()));
+  }
+
+  /// False if the session is to be stopped.
+  bool show_page(const PageStep& page) {
+    Screen screen;
+    screen.captions = {{.text = page.text, .centre_y = 0.42, .size = 0.035},
+                       {.text = "Press Enter to go on.", .centre_y = 0.86, .size = 0.025}};
+    if (page.is_break) {
+      screen.progress = page.progress;
+      parts_.announce("break");
+      store_event("break", "");
+    }
+    Screen question;
+    question.captions = {{.text = kStopQuestion, .centre_y = 0.45, .size = 0.035}};
+    bool confirming = false;
+    if (parts_.answer) booth_.keyboard.expect("", booth_.clock.now());
+    while (true) {
+      present(confirming ? question : screen);
+      for (const auto& stroke : booth_.keyboard.poll()) {
+        const bool stop = stroke.key == Key::Escape || stroke.key == Key::WindowClosed;
+        if (stop && confirming) return false;
+        if (stroke.key == Key::Enter && !confirming) return true;
+        if (stop || stroke.key == Key::Enter) confirming = stop;
+      }
+    }
+  }
+
+  bool run_trial(const TrialStep& step) {
+    const auto& planned = parts_.plan.at(step.trial);
+    begin_once();
+    await_preparation(step.progress);
+    const PreparedTrial trial = parts_.trials.next();
+    TrialRecord record;
+    record.trial = static_cast<int>(planned.index);
+    TrialMachine machine{{.fixation = parts_.protocol.intervals.fixation,
+                          .time_limit = parts_.protocol.response.time_limit,
+                          .longest_answer =
+                              static_cast<std::size_t>(parts_.protocol.response.longest)}};
+    parts_.announce(fmt::format("trial {} of {}: {}",
+                                planned.index + 1,
+                                parts_.plan.size(),
+                                parts_.protocol.conditions.at(planned.condition).name));
+    parts_.trials.hold();
+    present_trial(trial, machine, record);
+    parts_.trials.release();
+    if (parts_.answer) booth_.keyboard.expect(parts_.answer(planned), booth_.clock.now());
+    const bool go_on = collect_answer(machine, step.progress, record);
+    if (!go_on) {
+      store_event("stopped", fmt::format("in trial {}, presented but not answered", planned.index));
+      return false;
+    }
+    ++outcome_.trials;
+    outcome_.flagged += record.flagged ? 1 : 0;
+    pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
+    return true;
+  }
+
+  void present_trial(const PreparedTrial& trial, TrialMachine& machine, TrialRecord& record) {
+    Screen fixation;
+    fixation.fixation = true;
+    const auto shown = booth_.display.present(fixation, booth_.clock.now());
+    for (const auto& stroke : booth_.keyboard.poll()) static_cast<void>(machine.on(stroke));
+    const auto commands = machine.on(FixationShown{shown.onset});
+    const auto earliest = std::get<StartStimulus>(commands.at(0)).earliest;
+    const auto refresh = booth_.display.refresh();
+    const auto now = booth_.clock.now();
+    const CueSheet cues{trial.layout,
+                        drawing_rate_for(refresh.period),
+                        refresh.period,
+                        refresh.phase,
+                        std::max(earliest, now + kSchedulingMargin),
+                        now + booth_.audio.lead_time()};
+    present_stimulus(booth_, trial, cues, machine, record);
+    static_cast<void>(machine.on(StimulusEnded{cues.end()}));
+  }
+
+  /// False if the session is to be stopped; the unfinished trial is then not stored.
+  bool collect_answer(TrialMachine& machine, double progress, TrialRecord& record) {
+    Screen screen;
+    screen.progress = progress;
+    while (true) {
+      show_answer(machine, screen);
+      for (const auto& stroke : booth_.keyboard.poll()) {
+        if (machine.phase() == TrialMachine::Phase::Responding) {
+          record.keystrokes.push_back({.at = since_zero(stroke.at),
+                                       .source = std::string{stroke.source},
+                                       .key = label(stroke)});
+        }
+        for (const auto& command : machine.on(stroke)) {
+          if (std::holds_alternative<StopSession>(command)) return false;
+          if (take_response(command, record)) return true;
+        }
+      }
+      for (const auto& command : machine.on(Tick{booth_.clock.now()})) {
+        if (take_response(command, record)) return true;
+      }
+    }
+  }
+
+  void show_answer(const TrialMachine& machine, Screen& screen) {
+    if (machine.phase() == TrialMachine::Phase::Confirming) {
+      screen.captions = {{.text = kStopQuestion, .centre_y = 0.45, .size = 0.035}};
+    } else {
+      screen.captions = {
+          {.text = parts_.protocol.response.prompt, .centre_y = 0.40, .size = 0.035},
+          {.text = machine.answer() + "_", .centre_y = 0.52, .size = 0.05},
+          {.text = "Enter: next word", .centre_y = 0.86, .size = 0.025}};
+    }
+    present(screen);
+  }
+
+  static bool take_response(const TrialCommand& command, TrialRecord& record) {
+    const auto* const response = std::get_if<RecordResponse>(&command);
+    if (response == nullptr) return false;
+    record.response = {.text = response->text,
+                       .submitted = since_zero(response->submitted),
+                       .timed_out = response->timed_out};
+    if (response->first_key) record.response.first_key = since_zero(*response->first_key);
+    return true;
+  }
+
+  /// The blank between trials, at least until the data are on the disk.
+  void pause_until_stored(std::future<void> stored) {
+    const auto end = booth_.clock.now() + parts_.protocol.intervals.pause;
+    while (booth_.clock.now() < end) {
+      present({});
+      discard_keystrokes();
+    }
+    await(std::move(stored));
+  }
+
+  static void await(std::future<void> stored) { stored.get(); }
+
+  void discard_keystrokes() { static_cast<void>(booth_.keyboard.poll()); }
+
+  void begin_once() {
+    if (outcome_.session) return;
+    const bool measures = booth_.display.time_source() != TimeSource::Predicted;
+    while (measures && booth_.display.refresh().count < kRefreshesWatched) present({});
+    outcome_.session = parts_.begin(booth_.display.refresh());
+  }
+
+  void store_event(std::string kind, std::string detail) {
+    await(parts_.store.add(*outcome_.session,
+                           EventRecord{.at = since_zero(booth_.clock.now()),
+                                       .kind = std::move(kind),
+                                       .detail = std::move(detail)}));
+  }
+
+  void await_preparation(double progress) {
+    Screen waiting;
+    waiting.captions = {{.text = "One moment, please ...", .centre_y = 0.45, .size = 0.035}};
+    waiting.progress = progress;
+    while (!parts_.trials.ready()) present(waiting);
+  }
+
+  const SessionParts& parts_;
+  const Booth& booth_;
+  SessionOutcome outcome_;
+};
+
+}  // namespace
+
+SessionOutcome run_session(const SessionParts& parts) {
+  SessionLoop loop{parts};
+  try {
+    return loop.run();
+  } catch (...) {
+    loop.show_neutral();
+    throw;
+  }
+}
+
+}  // namespace bimodal::runner

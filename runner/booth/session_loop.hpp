@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocols/design/plan.hpp"
+#include "protocols/model/protocol.hpp"
+#include "runner/booth/booth.hpp"
+#include "runner/preparation/trial_source.hpp"
+#include "runner/store/store_writer.hpp"
+
+namespace bimodal::runner {
+
+/// How a session ended.
+struct SessionOutcome {
+  std::optional<std::int64_t> session;  ///< the store's number; absent if it ended before any trial
+  bool complete = false;                ///< false: stopped by the experimenter
+  int trials = 0;         ///< stored
+  int flagged = 0;        ///< of these, with timing other than planned
+};
+
+/// What the loop borrows.
+struct SessionParts {
+  const protocols::Protocol& protocol;
+  const std::vector<protocols::PlannedTrial>& plan;
+  Booth booth;
+  TrialSource& trials;
+  StoreWriter& store;
+
+  /// Stores the session and its plan, once the display has been watched long enough to state its
+  /// refresh; returns the store's number of the session. Called once, before the first trial.
+  std::function<std::int64_t(const RefreshEstimate&)> begin;
+
+  /// The answer of a simulated participant; empty function: a person answers.
+  std::function<std::string(const protocols::PlannedTrial&)> answer;
+
+  /// Told between stimuli what happens, for the experimenter's console.
+  std::function<void(std::string_view)> announce = [](std::string_view) {};
+};
+
+/// Runs one session from the first page to the last: `run` and `rehearse` differ only in the parts
+/// they put in. Every trial is committed before the next begins. Throws StoreError if data cannot be
+/// kept (the participant then sees a neutral screen), Error if a trial cannot be prepared.
+[[nodiscard]] SessionOutcome run_session(const SessionParts& parts);
+
+}  // namespace bimodal::runner

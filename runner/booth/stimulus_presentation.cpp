@@ -1,0 +1,154 @@
+#include "runner/booth/stimulus_presentation.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace bimodal::runner {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+Duration since_zero(Instant at) {
+  return at.time_since_epoch();
+}
+
+double milliseconds(Duration duration) {
+  return std::chrono::duration<double, std::milli>{duration}.count();
+}
+
+/// A sound that begins this much later than planned flags its trial.
+constexpr Duration kSoundTolerance = 2ms;
+
+/// How long to wait for the device's word on when the sound began.
+constexpr Duration kReportPatience = 500ms;
+
+Picture picture_of(const Film& film, std::int64_t frame) {
+  const auto& image =
+      film.pictures.at(film.picture_of_frame.at(static_cast<std::size_t>(frame)));
+  return {.width = image.width, .height = image.height, .pixels = image.pixels};
+}
+
+class StimulusLoop {
+ public:
+  StimulusLoop(const Booth& booth,
+                const PreparedTrial& trial,
+                const CueSheet& cues,
+                TrialMachine& machine,
+                TrialRecord& record)
+      : booth_{booth}, trial_{trial}, cues_{cues}, machine_{machine}, record_{record} {
+    const auto expected = static_cast<std::size_t>(trial.frames) + 8;
+    record_.refreshes.frame.reserve(expected);
+    record_.refreshes.planned.reserve(expected);
+    record_.refreshes.shown.reserve(expected);
+    record_.stimulus_start = since_zero(cues.first_refresh());
+    record_.stimulus_end = since_zero(cues.end());
+  }
+
+  void run() {
+    if (trial_.sound) booth_.audio.schedule(*trial_.sound, cues_.sound_onset());
+    std::int64_t index = 0;
+    while (cues_.refresh(index) < cues_.end()) {
+      const Instant shown = show(index);
+      for (const auto& stroke : booth_.keyboard.poll()) {
+        static_cast<void>(machine_.on(stroke));  // may ask to stop; answered after the stimulus
+      }
+      index = cues_.refresh_after(index, shown);
+    }
+    report_picture();
+    if (trial_.sound) report_sound();
+    record_.flagged = record_.flagged || missed_ > 0;
+  }
+
+ private:
+  Instant show(std::int64_t index) {
+    const auto frame = trial_.frames > 0 ? cues_.frame_at(index) : std::nullopt;
+    screen_.fixation = trial_.frames == 0;
+    screen_.picture = nullptr;
+    if (trial_.film && trial_.frames > 0) {
+      picture_ = picture_of(*trial_.film, frame.value_or(trial_.frames - 1));
+      screen_.picture = &picture_;
+    }
+    const Instant planned = cues_.refresh(index);
+    const auto presented = booth_.display.present(screen_, planned);
+    source_ = presented.source;
+    if (presented.lateness > booth_.display.refresh().period / 2) ++missed_;
+    if (frame) {
+      record_.refreshes.frame.push_back(*frame);
+      record_.refreshes.planned.push_back(since_zero(planned));
+      record_.refreshes.shown.push_back(since_zero(presented.onset));
+      if (!zero_shown_ && planned >= cues_.visual_zero()) zero_shown_ = presented.onset;
+    }
+    return presented.onset;
+  }
+
+  void report_picture() {
+    if (trial_.frames == 0) return;
+    OnsetRecord onset{.modality = "visual",
+                      .planned = since_zero(cues_.visual_zero()),
+                      .source = std::string{name(source_)}};
+    if (zero_shown_) onset.reported = since_zero(*zero_shown_);
+    record_.onsets.push_back(onset);
+    if (missed_ > 0) {
+      record_.events.push_back({.at = since_zero(booth_.clock.now()),
+                                .kind = "late_frame",
+                                .detail = fmt::format("{} refreshes were late", missed_)});
+    }
+  }
+
+  void report_sound() {
+    auto playback = booth_.audio.playback();
+    const Instant latest = cues_.end() + kReportPatience;
+    while (!playback.finished && booth_.clock.now() < latest) {
+      static_cast<void>(booth_.display.present(screen_, booth_.clock.now()));
+      playback = booth_.audio.playback();
+    }
+    OnsetRecord onset{.modality = "auditory",
+                      .planned = since_zero(cues_.auditory_zero()),
+                      .source = std::string{playback.source}};
+    if (playback.onset) {
+      onset.reported = since_zero(*playback.onset + trial_.layout.sound_lead);
+      const auto lateness = *playback.onset - cues_.sound_onset();
+      if (std::chrono::abs(lateness) > kSoundTolerance) {
+        note("late_sound", fmt::format("{:+.2f} ms against the plan", milliseconds(lateness)));
+      }
+    }
+    record_.onsets.push_back(onset);
+    if (playback.underflows > 0) {
+      note("underflow", fmt::format("{} during the sound", playback.underflows));
+    }
+    if (!playback.finished) note("sound_unfinished", "the device did not report the sound's end");
+  }
+
+  void note(std::string kind, std::string detail) {
+    record_.events.push_back({.at = since_zero(booth_.clock.now()),
+                              .kind = std::move(kind),
+                              .detail = std::move(detail)});
+    record_.flagged = true;
+  }
+
+  const Booth& booth_;
+  const PreparedTrial& trial_;
+  const CueSheet& cues_;
+  TrialMachine& machine_;
+  TrialRecord& record_;
+  Screen screen_;
+  Picture picture_;
+  TimeSource source_ = TimeSource::Predicted;
+  std::optional<Instant> zero_shown_;
+  int missed_ = 0;
+};
+
+}  // namespace
+
+void present_stimulus(const Booth& booth,
+                      const PreparedTrial& trial,
+                      const CueSheet& cues,
+                      TrialMachine& machine,
+                      TrialRecord& record) {
+  StimulusLoop{booth, trial, cues, machine, record}.run();
+}
+
+}  // namespace bimodal::runner

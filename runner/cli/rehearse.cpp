@@ -1,0 +1,143 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "runner/booth/session_loop.hpp"
+#include "runner/cli/protocol_file.hpp"
+#include "runner/cli/session_setup.hpp"
+#include "runner/cli/simulated_answers.hpp"
+#include "runner/cli/verbs.hpp"
+#include "runner/devices/simulated/simulated_audio.hpp"
+#include "runner/devices/simulated/simulated_display.hpp"
+#include "runner/devices/simulated/simulated_keyboard.hpp"
+#include "runner/devices/simulated/virtual_clock.hpp"
+#include "runner/preparation/immediate_trials.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+struct RehearseOptions {
+  std::string protocol;
+  int participants = 1;
+  int first = 1;
+  Seed seed = 1;
+  std::string data;
+  std::optional<int> trials;
+  double refresh_hz = 60.0;
+};
+
+/// Everything that participants share.
+struct Rehearsal {
+  const protocols::ReadProtocol& read;
+  const RehearseOptions& options;
+  SpeechBank& bank;
+  SessionStore& store;
+  StoreWriter& writer;
+};
+
+int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) {
+  const auto& protocol = rehearsal.read.protocol;
+  const auto plan =
+      shortened_plan(rehearsal.read, key, {.main_trials = rehearsal.options.trials});
+  VirtualClock clock;
+  SimulatedDisplay display{clock, {.rate = Hertz{rehearsal.options.refresh_hz}}};
+  SimulatedKeyboard keyboard{clock};
+  SimulatedAudio audio{clock, protocol.sound.rate};
+  TrialPreparer preparer{
+      protocol, rehearsal.bank, nullptr, drawing_rate_for(display.refresh().period)};
+  ImmediateTrials trials{plan, preparer};
+  const auto begin = [&](const RefreshEstimate& refresh) {
+    auto record =
+        session_record(rehearsal.read, fmt::format("S{:02}", key.participant_number), key);
+    record.simulated_answers = true;
+    record.simulated_time = true;
+    record.observer = observer_name();
+    record.display = record_of(display);
+    record.audio = record_of(audio);
+    record.refresh_period = refresh.period;
+    record.refresh_deviation = refresh.deviation;
+    record.refresh_count = refresh.count;
+    return rehearsal.store.begin(record, plan_records(protocol, plan));
+  };
+  const auto outcome =
+      run_session({.protocol = protocol,
+                   .plan = plan,
+                   .booth = {clock, display, keyboard, audio},
+                   .trials = trials,
+                   .store = rehearsal.writer,
+                   .begin = begin,
+                   .answer = simulated_answers(
+                       protocol, key.participant_number, rehearsal.options.seed)});
+  if (outcome.session) rehearsal.store.end(*outcome.session, "complete", utc_now());
+  return outcome.trials;
+}
+
+int sessions_per_participant(const protocols::Protocol& protocol) {
+  return protocol.assignment == protocols::Assignment::Once
+             ? 1
+             : static_cast<int>(protocol.conditions.size());
+}
+
+ExitCode rehearse(const RehearseOptions& options) {
+  const auto read = load_protocol(options.protocol);
+  if (!read) return ExitCode::InvalidInput;
+  const auto data = options.data.empty()
+                        ? "rehearsal-" + default_data_file(options.protocol).string()
+                        : options.data;
+  const auto store = open_sqlite_store(data);
+  StoreWriter writer{*store};
+  SpeechBank bank{read->protocol.sound.rate};
+  const Rehearsal rehearsal{*read, options, bank, *store, writer};
+  const bool to_terminal = isatty(STDERR_FILENO) == 1;
+  int trials = 0;
+  for (int participant = 0; participant < options.participants; ++participant) {
+    if (to_terminal) {
+      fmt::print(stderr, "\rrehearsing participant {} of {} ", participant + 1, options.participants);
+    }
+    for (int session = 1; session <= sessions_per_participant(read->protocol); ++session) {
+      trials += rehearse_participant(
+          rehearsal,
+          {.participant_number = options.first + participant, .session_number = session});
+    }
+  }
+  if (to_terminal) fmt::print(stderr, "\r{:40}\r", "");
+  fmt::print("rehearsed {} participants, {} trials, in virtual time; stored as simulated in {}\n",
+             options.participants,
+             trials,
+             data);
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_rehearse(CLI::App& app, Verb& chosen) {
+  auto* const verb = app.add_subcommand(
+      "rehearse",
+      "Runs the very loop of `run` with simulated devices, in virtual time, with simulated\n"
+      "observers, and stores everything, marked as simulated: to try a protocol and its analysis\n"
+      "before anybody is invited.\n\n"
+      "Example:\n"
+      "  bimodal rehearse words414 --participants 20 --seed 7 --data trial.sqlite");
+  auto options = std::make_shared<RehearseOptions>();
+  verb->add_option("PROTOCOL", options->protocol, "a JSON file, or a protocol of the library")
+      ->required();
+  verb->add_option("--participants", options->participants, "how many (1)")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--first", options->first, "number of the first participant (1)")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--seed", options->seed, "of the observers' answers (1)");
+  verb->add_option("--data", options->data, "the data file (rehearsal-PROTOCOL.sqlite here)");
+  verb->add_option("--trials", options->trials, "only so many main trials a participant")
+      ->check(CLI::NonNegativeNumber);
+  verb->add_option("--refresh-hz", options->refresh_hz, "refresh rate of the simulated display (60)")
+      ->check(CLI::Range(10.0, 1000.0));
+  verb->callback([options, &chosen] { chosen = [options] { return rehearse(*options); }; });
+}
+
+}  // namespace bimodal::runner

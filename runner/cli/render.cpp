@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "runner/cli/verbs.hpp"
+#include "runner/preparation/speech_bank.hpp"
+#include "stimuli/audio/sound_file.hpp"
+#include "stimuli/base/asset.hpp"
+#include "stimuli/base/error.hpp"
+#include "stimuli/words/dictionary.hpp"
+#include "synth/face/head.hpp"
+#include "synth/render/head_renderer.hpp"
+#include "synth/speech/articulation.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+struct RenderOptions {
+  std::string word;
+  std::string phones;
+  std::string voice = "kal";
+  std::string strip;
+  std::string frames;
+  std::string sound;
+  std::string view = "front";
+  int height = 720;
+  double rate_hz = 60.0;
+};
+
+Pronunciation pronunciation(const RenderOptions& options) {
+  if (options.phones.empty()) {
+    const Dictionary dictionary{Dictionary::installed()};
+    const auto found = dictionary.pronunciations(options.word);
+    if (found.empty()) {
+      throw Error{fmt::format("the dictionary has no pronunciation of '{}'; give one: "
+                              "--phones \"S T UW\"",
+                              options.word)};
+    }
+    return found.front();
+  }
+  Pronunciation phones;
+  std::istringstream symbols{options.phones};
+  for (std::string one; symbols >> one;) {
+    const auto phone = phone_from_symbol(one);
+    if (!phone) {
+      throw Error{fmt::format("'{}' is no phone; write ARPAbet symbols, e.g. \"S T UW\"", one)};
+    }
+    phones.push_back(*phone);
+  }
+  return phones;
+}
+
+synth::View view_of(const RenderOptions& options) {
+  const auto height = static_cast<std::size_t>(options.height);
+  synth::View view{.width = height * 8 / 9, .height = height};
+  if (options.view == "threequarter") view.yaw_deg = 38.0;
+  if (options.view == "side") view.yaw_deg = 90.0;
+  if (options.view == "mouth") {
+    view.centre_y_mm = -70.0;
+    view.field_mm = 120.0;
+  }
+  return view;
+}
+
+/// Pictures side by side.
+synth::Image beside(const std::vector<synth::Image>& pictures) {
+  synth::Image strip{.height = pictures.front().height};
+  for (const auto& picture : pictures) strip.width += picture.width;
+  strip.pixels.reserve(strip.width * strip.height * 4);
+  for (std::size_t row = 0; row < strip.height; ++row) {
+    for (const auto& picture : pictures) {
+      const auto first = picture.pixels.begin() +
+                         static_cast<std::ptrdiff_t>(row * picture.width * 4);
+      strip.pixels.insert(
+          strip.pixels.end(), first, first + static_cast<std::ptrdiff_t>(picture.width * 4));
+    }
+  }
+  return strip;
+}
+
+void write_strip(const RenderOptions& options,
+                 const Utterance& utterance,
+                 const synth::Articulation& articulation,
+                 synth::HeadRenderer& renderer) {
+  std::vector<synth::Image> pictures;
+  for (const auto& timed : utterance.phones) {
+    const auto centre = timed.start + timed.duration / 2;
+    renderer.draw(articulation.at(centre), pictures.emplace_back());
+    fmt::print("  {:<5} {:>7.1f} ms\n",
+               symbol(timed.phone),
+               std::chrono::duration<double, std::milli>{centre}.count());
+  }
+  synth::write_png(beside(pictures), options.strip);
+  fmt::print("{}: {} pictures, one at the centre of each phone\n", options.strip, pictures.size());
+}
+
+void write_frames(const RenderOptions& options,
+                  const synth::Articulation& articulation,
+                  synth::HeadRenderer& renderer) {
+  std::filesystem::create_directories(options.frames);
+  const auto poses = articulation.sample(Hertz{options.rate_hz});
+  synth::Image image;
+  for (std::size_t frame = 0; frame < poses.size(); ++frame) {
+    renderer.draw(poses[frame], image);
+    synth::write_png(image,
+                     std::filesystem::path{options.frames} / fmt::format("frame{:04}.png", frame));
+  }
+  fmt::print("{}: {} frames at {:g} frames/s\n", options.frames, poses.size(), options.rate_hz);
+}
+
+ExitCode render(const RenderOptions& options) {
+  if (options.strip.empty() && options.frames.empty() && options.sound.empty()) {
+    throw Error{"nothing to write; give --strip FILE.png, --frames FOLDER or --sound FILE.wav"};
+  }
+  SpeechBank bank{Hertz{48'000}};
+  const auto& spoken = bank.item(
+      "festival:" + options.voice, {.spelling = options.word, .phones = pronunciation(options)});
+  if (!options.sound.empty()) {
+    write_wav(spoken.sound, options.sound);
+    fmt::print("{}: spoken by {}\n", options.sound, options.voice);
+  }
+  if (options.strip.empty() && options.frames.empty()) return ExitCode::Done;
+  const auto segments =
+      synth::read_segment_table(asset("synth/assets/segments/english.json"));
+  const synth::Articulation articulation{spoken.utterance, segments};
+  const synth::Head head{asset("synth/assets/head")};
+  synth::HeadRenderer renderer{head, view_of(options)};
+  if (!options.strip.empty()) write_strip(options, spoken.utterance, articulation, renderer);
+  if (!options.frames.empty()) write_frames(options, articulation, renderer);
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Verb& chosen) {
+  auto* const verb = app.add_subcommand(
+      "render",
+      "Lets the face say a word, as pictures.\n\n"
+      "Examples:\n"
+      "  bimodal render stew --strip stew.png            one picture a phone\n"
+      "  bimodal render stew --frames stew --sound stew.wav\n"
+      "  bimodal render blick --phones \"B L IH K\" --strip blick.png --view mouth");
+  auto options = std::make_shared<RenderOptions>();
+  verb->add_option("WORD", options->word, "a word of the dictionary, or any name with --phones")
+      ->required();
+  verb->add_option("--phones", options->phones, "its pronunciation in ARPAbet");
+  verb->add_option("--voice", options->voice, "Festival's voice that times it: kal (default), slt")
+      ->check(CLI::IsMember({"kal", "slt"}));
+  verb->add_option("--strip", options->strip, "PNG file: one picture at the centre of each phone");
+  verb->add_option("--frames", options->frames, "folder for one PNG a frame");
+  verb->add_option("--sound", options->sound, "WAV file of the spoken word");
+  verb->add_option("--rate", options->rate_hz, "frames a second (60)")->check(CLI::Range(1, 1000));
+  verb->add_option("--view", options->view, "front (default), threequarter, side or mouth")
+      ->check(CLI::IsMember({"front", "threequarter", "side", "mouth"}));
+  verb->add_option("--height", options->height, "of a picture in pixels (720)")
+      ->check(CLI::Range(32, 4096));
+  verb->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
+}
+
+}  // namespace bimodal::runner

@@ -1,0 +1,231 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "runner/booth/session_loop.hpp"
+#include "runner/cli/protocol_file.hpp"
+#include "runner/cli/session_setup.hpp"
+#include "runner/cli/simulated_answers.hpp"
+#include "runner/cli/sound_check.hpp"
+#include "runner/cli/verbs.hpp"
+#include "runner/devices/headless/headless_display.hpp"
+#include "runner/devices/monotonic_clock.hpp"
+#include "runner/devices/portaudio/portaudio_output.hpp"
+#include "runner/devices/sdl/sdl_display.hpp"
+#include "runner/devices/sdl/sdl_keyboard.hpp"
+#include "runner/devices/silent/silent_audio.hpp"
+#include "runner/devices/simulated/simulated_keyboard.hpp"
+#include "runner/preparation/preparation_queue.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+struct RunOptions {
+  std::string protocol;
+  std::string participant;
+  std::optional<int> number;
+  int session = 1;
+  std::string data;
+  std::string display = "window";
+  std::string audio = "default";
+  std::string answers = "typed";
+  std::optional<int> trials;
+  bool no_practice = false;
+  bool windowed = false;
+  bool again = false;
+};
+
+/// The devices of a real session, in the order in which they must be closed.
+struct Devices {
+  MonotonicClock clock;
+  std::unique_ptr<SdlWindow> window;
+  std::unique_ptr<Display> display;
+  std::unique_ptr<Keyboard> keyboard;
+  std::unique_ptr<AudioOutput> audio;
+};
+
+SdlWindow::Options window_options(const protocols::Protocol& protocol, bool windowed) {
+  const auto channel = [&](unsigned shift) {
+    return static_cast<float>((protocol.window.background >> shift) & 0xffU) / 255.0F;
+  };
+  return {.width = protocol.window.width,
+          .height = protocol.window.height,
+          .fullscreen = protocol.window.fullscreen && !windowed,
+          .title = protocol.title,
+          .background = {channel(16), channel(8), channel(0)}};
+}
+
+Devices open_devices(const protocols::Protocol& protocol, const RunOptions& options) {
+  Devices devices;
+  if (options.display == "headless") {
+    devices.display = std::make_unique<HeadlessDisplay>();
+  } else {
+    devices.window = std::make_unique<SdlWindow>(window_options(protocol, options.windowed));
+    devices.display = std::make_unique<SdlDisplay>(*devices.window);
+  }
+  if (options.answers == "simulated" || !devices.window) {
+    devices.keyboard = std::make_unique<SimulatedKeyboard>(devices.clock);
+  } else {
+    devices.keyboard = std::make_unique<SdlKeyboard>(*devices.window, devices.clock);
+  }
+  if (options.audio == "none") {
+    devices.audio = std::make_unique<SilentAudio>(devices.clock, protocol.sound.rate);
+  } else {
+    devices.audio = std::make_unique<PortAudioOutput>(PortAudioOutput::Options{
+        .device = options.audio == "default" ? "" : options.audio, .rate = protocol.sound.rate});
+  }
+  return devices;
+}
+
+/// Prepares on the queue's thread: first every sound of the session is made and judged, then trial
+/// after trial is mixed and drawn.
+PreparationQueue::Prepare make_prepare(const protocols::Protocol& protocol,
+                                       const std::vector<protocols::PlannedTrial>& plan,
+                                       SpeechBank& bank,
+                                       Hertz drawing_rate) {
+  struct Workshop {
+    std::optional<FaceTalker> face;
+    std::optional<TrialPreparer> preparer;
+  };
+  auto workshop = std::make_shared<Workshop>();
+  const bool has_face = std::ranges::any_of(
+      protocol.conditions, [](const auto& condition) { return condition.visual_talker.has_value(); });
+  if (has_face) {
+    workshop->face.emplace(static_cast<std::size_t>(protocol.window.face_height),
+                           protocol.window.background);
+  }
+  workshop->preparer.emplace(
+      protocol, bank, workshop->face ? &*workshop->face : nullptr, drawing_rate);
+  const auto found = check_sounds(protocol, plan, *workshop->preparer, "");
+  if (has_errors(found)) throw Error{describe(found.front())};
+  return [workshop](const protocols::PlannedTrial& trial, const Checkpoint& checkpoint) {
+    return workshop->preparer->prepare(trial, checkpoint);
+  };
+}
+
+void report_outcome(const SessionOutcome& outcome,
+                    const std::vector<protocols::PlannedTrial>& plan,
+                    const std::string& data) {
+  fmt::print("{}: {} of {} trials stored in {}",
+             outcome.complete ? "complete" : "stopped",
+             outcome.trials,
+             plan.size(),
+             data);
+  fmt::print(outcome.flagged == 0 ? "; timing as planned in all\n"
+                                  : "; timing flagged in {}, see table event\n",
+             outcome.flagged);
+}
+
+void refuse_what_nobody_could_answer(const RunOptions& options) {
+  if (options.display == "headless" && options.answers == "typed") {
+    throw Error{
+        "nobody can type answers without a window; give --answers simulated with --display headless"};
+  }
+}
+
+ExitCode run(const RunOptions& options) {
+  refuse_what_nobody_could_answer(options);
+  const auto read = load_protocol(options.protocol);
+  if (!read) return ExitCode::InvalidInput;
+  const auto& protocol = read->protocol;
+  const protocols::SessionKey key{
+      .participant_number = participant_number(options.participant, options.number),
+      .session_number = options.session};
+  const auto plan = shortened_plan(
+      *read, key, {.main_trials = options.trials, .practice = !options.no_practice});
+  const auto data =
+      options.data.empty() ? default_data_file(options.protocol) : std::filesystem::path{options.data};
+  const bool simulated = options.answers == "simulated";
+  if (!options.again && !simulated) {
+    refuse_repetition(data, options.participant, key.session_number, read->sha256);
+  }
+  const auto store = open_sqlite_store(data);
+  StoreWriter writer{*store};
+  const auto devices = open_devices(protocol, options);
+  if (options.display == "headless") fmt::print("no display: nothing is shown\n");
+  if (options.audio == "none") fmt::print("no audio: nothing is heard\n");
+
+  SpeechBank bank{protocol.sound.rate};
+  const auto drawing_rate = drawing_rate_for(devices.display->refresh().period);
+  PreparationQueue queue{
+      plan, [&] { return make_prepare(protocol, plan, bank, drawing_rate); }};
+  const auto begin = [&](const RefreshEstimate& refresh) {
+    auto record = session_record(*read, options.participant, key);
+    record.simulated_answers = simulated;
+    record.observer = simulated ? observer_name() : "";
+    record.display = record_of(*devices.display);
+    record.audio = record_of(*devices.audio);
+    record.refresh_period = refresh.period;
+    record.refresh_deviation = refresh.deviation;
+    record.refresh_count = refresh.count;
+    const auto id = store->begin(record, plan_records(protocol, plan));
+    if (options.trials || options.no_practice) {
+      store->add(id,
+                 EventRecord{.at = devices.clock.now().time_since_epoch(),
+                             .kind = "shortened",
+                             .detail = fmt::format("{} trials by --trials or --no-practice",
+                                                   plan.size())});
+    }
+    return id;
+  };
+  const auto outcome = run_session(
+      {.protocol = protocol,
+       .plan = plan,
+       .booth = {devices.clock, *devices.display, *devices.keyboard, *devices.audio},
+       .trials = queue,
+       .store = writer,
+       .begin = begin,
+       .answer = simulated ? simulated_answers(protocol, key.participant_number, protocol.seed)
+                           : Answers{},
+       .announce = [](std::string_view what) {
+         fmt::print("{}\n", what);
+         std::fflush(stdout);
+       }});
+  if (outcome.session) {
+    store->end(*outcome.session, outcome.complete ? "complete" : "stopped", utc_now());
+  }
+  report_outcome(outcome, plan, data.string());
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Verb& chosen) {
+  auto* const verb = app.add_subcommand(
+      "run",
+      "Runs a session with a participant: shows, plays, takes typed answers, stores every trial\n"
+      "before the next begins. Escape asks whether to stop.\n\n"
+      "Examples:\n"
+      "  bimodal run words414 --participant P01\n"
+      "  bimodal run words414 --participant TEST1 --trials 5 --no-practice --windowed\n"
+      "  bimodal run words414 --participant P01 --display headless --audio none --answers simulated");
+  auto options = std::make_shared<RunOptions>();
+  verb->add_option("PROTOCOL", options->protocol, "a JSON file, or a protocol of the library")
+      ->required();
+  verb->add_option("--participant", options->participant, "a name that ends with a number: P01")
+      ->required();
+  verb->add_option("--number", options->number, "the participant's number, if the name has none")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--session", options->session, "number of the session (1)")
+      ->check(CLI::PositiveNumber);
+  verb->add_option("--data", options->data, "the data file (PROTOCOL.sqlite here); appended to");
+  verb->add_option("--display", options->display, "window (default) or headless: nothing is shown")
+      ->check(CLI::IsMember({"window", "headless"}));
+  verb->add_option("--audio",
+                   options->audio,
+                   "default, a device's name or number (see `bimodal devices`), or none");
+  verb->add_option("--answers", options->answers, "typed (default), or simulated: stored as such")
+      ->check(CLI::IsMember({"typed", "simulated"}));
+  verb->add_option("--trials", options->trials, "only so many main trials, for trying out")
+      ->check(CLI::NonNegativeNumber);
+  verb->add_flag("--no-practice", options->no_practice, "leave out the practice");
+  verb->add_flag("--windowed", options->windowed, "a window, whatever the protocol says");
+  verb->add_flag("--again", options->again, "although this participant has this session already");
+  verb->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace bimodal::runner

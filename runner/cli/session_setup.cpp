@@ -1,0 +1,124 @@
+#include "runner/cli/session_setup.hpp"
+
+#include <charconv>
+#include <chrono>
+#include <ctime>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "runner/store/stored_session.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::runner {
+
+int participant_number(const std::string& participant, std::optional<int> given) {
+  if (given) return *given;
+  const auto last_other = participant.find_last_not_of("0123456789");
+  const auto digits = participant.substr(last_other == std::string::npos ? 0 : last_other + 1);
+  int number = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error != std::errc{} || end != digits.data() + digits.size() || number < 1) {
+    throw Error{fmt::format(
+        "cannot tell the number of participant '{}', which decides lists and orders; let the name "
+        "end with a number from 1 (P01) or give --number",
+        participant)};
+  }
+  return number;
+}
+
+std::vector<protocols::PlannedTrial> shortened_plan(const protocols::ReadProtocol& read,
+                                                    protocols::SessionKey key,
+                                                    const Shortening& shortening) {
+  const auto whole = protocols::make_plan(read.protocol, read.words, read.practice, key);
+  std::vector<protocols::PlannedTrial> plan;
+  int main_trials = 0;
+  for (auto trial : whole) {
+    const bool is_practice = trial.phase == protocols::Phase::Practice;
+    if (is_practice && !shortening.practice) continue;
+    if (!is_practice && shortening.main_trials && ++main_trials > *shortening.main_trials) break;
+    trial.index = plan.size();
+    plan.push_back(std::move(trial));
+  }
+  return plan;
+}
+
+std::filesystem::path default_data_file(const std::string& protocol_named) {
+  return std::filesystem::path{protocol_named}.stem().string() + ".sqlite";
+}
+
+void refuse_repetition(const std::filesystem::path& data,
+                       const std::string& participant,
+                       int session_number,
+                       const std::string& protocol_sha256) {
+  if (!std::filesystem::exists(data) || std::filesystem::file_size(data) == 0) return;
+  for (const auto& stored : read_sessions(data)) {
+    const auto& session = stored.session;
+    if (session.participant == participant && session.session_number == session_number &&
+        session.protocol_sha256 == protocol_sha256 && !session.simulated_answers) {
+      throw Error{fmt::format(
+          "'{}' already has session {} of participant '{}' ({} trials, {}); give another "
+          "--participant, --session or --data, or --again to add one more",
+          data.string(),
+          session_number,
+          participant,
+          stored.trials.size(),
+          stored.outcome.empty() ? "interrupted" : stored.outcome)};
+    }
+  }
+}
+
+SessionRecord session_record(const protocols::ReadProtocol& read,
+                             const std::string& participant,
+                             protocols::SessionKey key) {
+  return {.participant = participant,
+          .participant_number = key.participant_number,
+          .session_number = key.session_number,
+          .protocol_title = read.protocol.title,
+          .protocol_text = read.text,
+          .protocol_sha256 = read.sha256,
+          .seed = read.protocol.seed,
+          .program_version = BIMODAL_VERSION,
+          .started_utc = utc_now()};
+}
+
+DeviceRecord record_of(const Display& display) {
+  return {.kind = display.kind(),
+          .description = display.description(),
+          .time_source = std::string{name(display.time_source())}};
+}
+
+DeviceRecord record_of(const AudioOutput& audio) {
+  return {.kind = audio.kind(),
+          .description = audio.description(),
+          .time_source = std::string{audio.time_source()}};
+}
+
+std::vector<PlanRecord> plan_records(const protocols::Protocol& protocol,
+                                     const std::vector<protocols::PlannedTrial>& plan) {
+  std::vector<PlanRecord> records;
+  records.reserve(plan.size());
+  for (const auto& trial : plan) {
+    const auto& condition = protocol.conditions.at(trial.condition);
+    PlanRecord record{.trial = static_cast<int>(trial.index),
+                      .phase = trial.phase == protocols::Phase::Practice ? "practice" : "main",
+                      .block = trial.block,
+                      .word = trial.word.spelling,
+                      .phones = spell(trial.word.phones),
+                      .condition = condition.name,
+                      .auditory_talker = condition.auditory_talker,
+                      .visual_talker = condition.visual_talker,
+                      .noise_seed = trial.noise_seed};
+    if (condition.snr) record.snr_db = condition.snr->count();
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+std::string utc_now() {
+  const auto now = std::time(nullptr);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+}  // namespace bimodal::runner

@@ -1,0 +1,91 @@
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "runner/cli/protocol_file.hpp"
+#include "runner/cli/session_setup.hpp"
+#include "runner/cli/verbs.hpp"
+#include "runner/preparation/trial_preparer.hpp"
+#include "stimuli/audio/sound_file.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+struct MixOptions {
+  std::string protocol;
+  int trial = 1;
+  std::string participant = "P01";
+  std::optional<int> number;
+  int session = 1;
+  std::string output;
+};
+
+ExitCode mix_trial(const MixOptions& options) {
+  const auto read = load_protocol(options.protocol);
+  if (!read) return ExitCode::InvalidInput;
+  const auto plan = protocols::make_plan(
+      read->protocol,
+      read->words,
+      read->practice,
+      {.participant_number = participant_number(options.participant, options.number),
+       .session_number = options.session});
+  if (options.trial < 1 || options.trial > static_cast<int>(plan.size())) {
+    throw Error{fmt::format("there is no trial {}; participant '{}' has trials 1 to {}",
+                            options.trial,
+                            options.participant,
+                            plan.size())};
+  }
+  const auto& trial = plan.at(static_cast<std::size_t>(options.trial - 1));
+  const auto& condition = read->protocol.conditions.at(trial.condition).name;
+  SpeechBank bank{read->protocol.sound.rate};
+  TrialPreparer preparer{read->protocol, bank, nullptr, Hertz{60}};
+  const auto mixed = preparer.mix_sound(trial);
+  if (!mixed) {
+    throw Error{fmt::format("trial {} (\"{}\") is in condition \"{}\", in which nothing is heard",
+                            options.trial,
+                            trial.word.spelling,
+                            condition)};
+  }
+  const auto clipping = clipping_message(trial, condition, *mixed);
+  if (!clipping.empty()) throw Error{clipping};
+  write_wav(mixed->sound, options.output);
+  fmt::print("{}: trial {}, \"{}\" ({}), condition \"{}\"\n",
+             options.output,
+             options.trial,
+             trial.word.spelling,
+             spell(trial.word.phones),
+             condition);
+  fmt::print("speech {:.2f} dB FS, noise {}, both in {:g}-{:g} Hz; peak {:.3f}; SHA-256 {}\n",
+             mixed->speech_dbfs,
+             mixed->noise_dbfs ? fmt::format("{:.2f} dB FS", *mixed->noise_dbfs) : "none",
+             mixed->band.low.count(),
+             mixed->band.high.count(),
+             mixed->peak,
+             sha256(mixed->sound));
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_stimuli(CLI::App& app, Verb& chosen) {
+  auto* const stimuli = app.add_subcommand("stimuli", "Makes single stimuli as files.");
+  stimuli->require_subcommand(1);
+  auto* const mix = stimuli->add_subcommand(
+      "mix",
+      "Writes the very samples that `run` plays in a trial, as 32-bit float WAV.\n\n"
+      "Example:\n  bimodal stimuli mix words414 --trial 20 -o trial20.wav");
+  auto options = std::make_shared<MixOptions>();
+  mix->add_option("PROTOCOL", options->protocol, "a JSON file, or a protocol of the library")
+      ->required();
+  mix->add_option("--trial", options->trial, "number of the trial, from 1, practice included")
+      ->required();
+  mix->add_option("-o,--output", options->output, "the WAV file to be written")->required();
+  mix->add_option("--participant", options->participant, "whose trial (P01)");
+  mix->add_option("--number", options->number, "the participant's number, if the name has none");
+  mix->add_option("--session", options->session, "number of the session (1)");
+  mix->callback([options, &chosen] { chosen = [options] { return mix_trial(*options); }; });
+}
+
+}  // namespace bimodal::runner

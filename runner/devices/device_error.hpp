@@ -1,0 +1,13 @@
+#pragma once
+
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::runner {
+
+/// A device is missing or was lost; the message says which, and what to do instead (exit code 4).
+class DeviceError : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace bimodal::runner

@@ -1,0 +1,51 @@
+#include "runner/devices/simulated/simulated_keyboard.hpp"
+
+#include <iterator>
+
+namespace bimodal::runner {
+namespace {
+
+constexpr std::string_view kSource = "simulated";
+
+bool continues_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+/// The first character of `text`, which is not empty.
+std::string_view first_character(std::string_view text) {
+  std::size_t length = 1;
+  while (length < text.size() && continues_character(text[length])) ++length;
+  return text.substr(0, length);
+}
+
+}  // namespace
+
+SimulatedKeyboard::SimulatedKeyboard(const Clock& clock) : SimulatedKeyboard{clock, Options{}} {}
+
+SimulatedKeyboard::SimulatedKeyboard(const Clock& clock, const Options& options)
+    : clock_{clock}, options_{options} {}
+
+void SimulatedKeyboard::expect(std::string_view answer, Instant from) {
+  planned_.clear();
+  typed_ = 0;
+  auto at = from + options_.first_key;
+  while (!answer.empty()) {
+    const auto character = first_character(answer);
+    planned_.push_back(
+        {.key = Key::Text, .text = std::string{character}, .at = at, .source = kSource});
+    at += options_.between_keys;
+    answer.remove_prefix(character.size());
+  }
+  planned_.push_back({.key = Key::Enter, .text = {}, .at = at, .source = kSource});
+}
+
+std::vector<Keystroke> SimulatedKeyboard::poll() {
+  const auto now = clock_.now();
+  const auto first = typed_;
+  while (typed_ < planned_.size() && planned_[typed_].at <= now) ++typed_;
+  const auto begin = planned_.begin();
+  return {std::next(begin, static_cast<std::ptrdiff_t>(first)),
+          std::next(begin, static_cast<std::ptrdiff_t>(typed_))};
+}
+
+}  // namespace bimodal::runner

@@ -1,0 +1,35 @@
+#include "runner/preparation/face_talker.hpp"
+
+#include "stimuli/base/asset.hpp"
+#include "synth/speech/articulation.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+class TalkingFace final : public FrameSource {
+ public:
+  TalkingFace(synth::HeadRenderer& renderer, synth::Articulation articulation)
+      : renderer_{renderer}, articulation_{std::move(articulation)} {}
+
+  void paint(Duration time, synth::Image& image) override {
+    renderer_.draw(articulation_.at(time), image);
+  }
+
+ private:
+  synth::HeadRenderer& renderer_;
+  synth::Articulation articulation_;
+};
+
+}  // namespace
+
+FaceTalker::FaceTalker(std::size_t height, std::uint32_t background)
+    : head_{asset("synth/assets/head")},
+      segments_{synth::read_segment_table(asset("synth/assets/segments/english.json"))},
+      renderer_{head_, {.width = height * 8 / 9, .height = height, .background = background}} {}
+
+std::unique_ptr<FrameSource> FaceTalker::say(const Utterance& utterance) {
+  return std::make_unique<TalkingFace>(renderer_, synth::Articulation{utterance, segments_});
+}
+
+}  // namespace bimodal::runner

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocols/design/plan.hpp"
+#include "runner/devices/audio_output.hpp"
+#include "runner/preparation/face_talker.hpp"
+#include "runner/preparation/frame_source.hpp"
+#include "runner/preparation/speech_bank.hpp"
+#include "runner/session/cue_sheet.hpp"
+#include "runner/store/records.hpp"
+#include "stimuli/audio/mix.hpp"
+
+namespace bimodal::runner {
+
+/// One trial with everything decoded, mixed, drawn and checked.
+struct PreparedTrial {
+  protocols::PlannedTrial plan;
+  StimulusLayout layout;
+  std::optional<Sound> sound;
+  std::optional<SoundRecord> sound_record;
+  std::int64_t frames = 0;   ///< of the face; 0 if it is not seen
+  std::optional<Film> film;  ///< absent also where pictures are not drawn (rehearsal)
+};
+
+/// Turns planned trials into prepared ones. Belongs to one thread.
+class TrialPreparer {
+ public:
+  /// `protocol` and `bank` are borrowed. Without `face` no pictures are drawn.
+  TrialPreparer(const protocols::Protocol& protocol,
+                SpeechBank& bank,
+                FaceTalker* face,
+                Hertz drawing_rate);
+
+  /// Throws Error, naming trial and word, if the sound would clip or cannot be made.
+  [[nodiscard]] PreparedTrial prepare(const protocols::PlannedTrial& trial,
+                                      const Checkpoint& checkpoint = [] {});
+
+  /// The sound alone; absent if the condition has none. Does not judge clipping.
+  [[nodiscard]] std::optional<Mix> mix_sound(const protocols::PlannedTrial& trial);
+
+ private:
+  [[nodiscard]] const synth::SpokenItem& spoken(const protocols::PlannedTrial& trial);
+
+  const protocols::Protocol& protocol_;
+  SpeechBank& bank_;
+  FaceTalker* face_;
+  Hertz drawing_rate_;
+  FourierTransform fourier_;
+};
+
+/// What must be said if a trial's sound would clip; empty if it would not.
+[[nodiscard]] std::string clipping_message(const protocols::PlannedTrial& trial,
+                                           const std::string& condition,
+                                           const Mix& mix);
+
+}  // namespace bimodal::runner

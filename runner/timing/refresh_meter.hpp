@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "runner/timing/refresh_estimate.hpp"
+#include "stimuli/base/quantity.hpp"
+
+namespace bimodal::runner {
+
+/// What was irregular among the intervals between the instants given to a RefreshMeter.
+struct RefreshCounts {
+  std::int64_t intervals = 0;
+  std::int64_t single = 0;     ///< about one period long (0.5 to 1.5)
+  std::int64_t skipped = 0;    ///< refreshes that lay inside the longer ones
+  std::int64_t irregular = 0;  ///< more than 20 % of a period off every whole multiple
+  std::int64_t restarts = 0;   ///< the period was lost and measured anew: the screen's rate changed
+};
+
+/// Estimates a screen's refresh grid from the instants at which pictures were presented, which may
+/// be jittered, late once in a while, and many refreshes apart.
+///
+/// The first 16 intervals give the period by their median, so fewer than half of them may be
+/// irregular. From then on every instant is given its whole number of periods, and a straight line
+/// is fitted through the last 512 instants by least squares, leaving out those whose residual is
+/// more than 5 scaled median absolute deviations (at least 2 % of a period) off the median. After a
+/// gap longer than 64 periods the numbering starts anew; the period is kept until 100 new instants
+/// can tell it. When the median of the last 16 intervals is more than 10 % of a period off every
+/// whole multiple, or more than 12 of the last 16 instants were left out, everything starts anew.
+///
+/// Allocates nothing. Not for concurrent use.
+class RefreshMeter {
+ public:
+  static constexpr std::size_t kWindow = 512;
+  static constexpr std::size_t kWarmUp = 16;
+  static constexpr std::size_t kEnoughForPeriod = 100;
+  static constexpr std::int64_t kLongestGap = 64;
+
+  /// Takes the instant of one presentation, not earlier than the one before.
+  void add(Instant onset);
+
+  /// The period, the standard deviation of the single periods in the window, the number of single
+  /// periods measured, and the fitted instant of the last refresh. Period 0 before two instants.
+  [[nodiscard]] const RefreshEstimate& estimate() const { return estimate_; }
+
+  [[nodiscard]] const RefreshCounts& counts() const { return counts_; }
+
+ private:
+  struct Refresh {
+    double at = 0.0;         ///< ns since origin_
+    std::int64_t index = 0;  ///< whole periods since the first of this run
+  };
+
+  void count_interval(Duration interval);
+  void push(Refresh refresh);
+  void start_run(Instant onset);
+  void number_warm_up();
+  void refit();
+  void measure_deviation();
+  [[nodiscard]] bool grid_lost() const;
+  [[nodiscard]] const Refresh& recent(std::size_t age) const;
+
+  std::array<Refresh, kWindow> ring_{};
+  std::size_t next_ = 0;
+  std::size_t size_ = 0;
+  int recent_outliers_ = 0;  ///< among the last 16 instants
+  bool known_ = false;       ///< the period is
+  bool first_run_ = true;    ///< since the period was last unknown
+  double period_ = 0.0;      ///< ns
+  double intercept_ = 0.0;   ///< fitted instant of index 0, ns since origin_
+  Instant origin_;
+  Instant last_;
+  RefreshEstimate estimate_;
+  RefreshCounts counts_;
+};
+
+}  // namespace bimodal::runner

@@ -1,0 +1,102 @@
+// Every part of the head. What varies slowly over the surface is worked out here, once per vertex:
+// light from everywhere, light in the mouth, and how much of the key light arrives.
+// Millimetres; x = subject's left, y up, z forward; colours are linear.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 rest;    // for eyes: direction in the eyeball, gaze +z
+layout(location = 3) in vec3 albedo;
+layout(location = 4) in vec4 baked;   // open sky, key light, fill light (0..1); inside the mouth 0..1
+layout(location = 5) in vec4 masks;   // lip, wet, scalp, special, as in SurfaceDescription
+layout(location = 6) in vec3 brow;    // as in VertexPaint
+layout(location = 7) in vec2 gloss;   // as in VertexPaint
+
+uniform mat4 clip_from_world;
+uniform vec3 key_direction;   // towards the light
+uniform vec3 fill_direction;
+
+uniform mat3 head_axes;       // columns: the head's left, up and forward in the world
+uniform vec3 mouth_centre;    // of the opening between the lips
+uniform vec3 mouth_opening;   // half width, half height (mm), area (mm2)
+
+uniform float sky_floor;      // light that reaches a translucent part in spite of what covers it
+uniform float shadow_floor;
+uniform float softness;       // 1 skin, 0 hard: how far light creeps round the form
+
+out vec3 v_position;
+out vec3 v_normal;
+out vec3 v_rest;
+out vec3 v_albedo;
+out vec3 v_around;            // light from everywhere but the key light
+out vec3 v_key;               // colour of the key light that arrives here
+out vec2 v_gloss;
+out vec4 v_masks;
+out vec3 v_brow;
+out float v_open;             // open sky, 0..1
+
+const vec3 kKeyColour = vec3(2.15, 2.03, 1.90);
+const vec3 kFillColour = vec3(0.68, 0.64, 0.62);   // warm: a blue fill makes hollows look dirty
+const vec3 kRimColour = vec3(0.55, 0.60, 0.70);
+const vec3 kSkyColour = vec3(0.72, 0.69, 0.67);
+const vec3 kGroundColour = vec3(0.27, 0.20, 0.17);
+const vec3 kRimLeft = vec3(0.666, 0.400, -0.622);
+const vec3 kRimRight = vec3(-0.724, 0.272, -0.634);
+const float kPi = 3.14159265;
+
+// Part of the sky's light that comes through the lips: the form factor of the opening as a disc of
+// the same area, with a share that has been scattered in the mouth.
+float sky_through_lips(vec3 at, vec3 n) {
+  vec3 to_opening = mouth_centre - at;
+  float square = dot(to_opening, to_opening);
+  float distance = sqrt(square + 1e-6);
+  float facing = clamp(dot(to_opening, n) / distance, 0.0, 1.0);
+  float behind = max(dot(to_opening, head_axes[2]), 0.0);
+  float area = mouth_opening.z;
+  return clamp(1.25 * area * (0.25 + 0.75 * facing) * clamp(behind / distance + 0.25, 0.0, 1.0) /
+                   (kPi * (square + area / kPi)), 0.0, 1.0);
+}
+
+// 1 if the ray from `at` towards a light leaves through the lips, taken as an ellipse; soft edge.
+float light_through_lips(vec3 at, vec3 direction) {
+  vec3 from = transpose(head_axes) * (at - mouth_centre);
+  vec3 along = transpose(head_axes) * direction;
+  vec2 hit = from.xy + along.xy * max(-from.z, 0.0) / max(along.z, 0.1);
+  float outside = length(hit / max(mouth_opening.xy, vec2(0.05)));
+  float passes = 1.0 - smoothstep(0.70, 1.25, outside);
+  return mix(passes, 1.0, smoothstep(-1.0, 3.0, from.z));
+}
+
+// Diffuse light that creeps round the form by `wrap` (0..1).
+float wrapped(float cosine, float wrap) {
+  float t = max((cosine + wrap) / (1.0 + wrap), 0.0);
+  return t * mix(1.0, t, 1.2 * wrap);
+}
+
+void main() {
+  float inside = baked.w;
+  float open = mix(baked.x, sky_through_lips(position, normal), inside);
+  open = mix(sky_floor, 1.0, open);
+  float key = mix(baked.y, light_through_lips(position, key_direction), inside);
+  key = mix(shadow_floor, 1.0, key);
+  float fill = mix(baked.z, light_through_lips(position, fill_direction), inside);
+
+  float cosine = dot(normal, fill_direction);
+  vec3 filled = fill * vec3(wrapped(cosine, 0.30 * softness), wrapped(cosine, 0.20 * softness),
+                            wrapped(cosine, 0.15 * softness));
+  vec3 sky = mix(kGroundColour, kSkyColour, 0.5 + 0.5 * normal.y) *
+             vec3(pow(open, 1.0 - 0.25 * softness), open, pow(open, 1.0 + 0.1 * softness));
+  float rim = 0.70 * max(dot(normal, kRimLeft), 0.0) + 0.35 * max(dot(normal, kRimRight), 0.0);
+
+  v_around = sky + kFillColour * filled + kRimColour * rim * open;
+  v_key = kKeyColour *
+          vec3(pow(key, 1.0 - 0.35 * softness), key, pow(key, 1.0 + 0.15 * softness));
+  v_open = open;
+  v_position = position;
+  v_normal = normal;
+  v_rest = rest;
+  v_albedo = albedo;
+  v_gloss = gloss;
+  v_masks = masks;
+  v_brow = brow;
+  gl_Position = clip_from_world * vec4(position, 1.0);
+}

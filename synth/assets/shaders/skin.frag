@@ -1,0 +1,68 @@
+// Skin, with one of LIPS, BROW, HAIR where the triangle has some of it.
+
+const vec2 kSkinExponents = vec2(16.0, 56.0);
+
+#ifdef LIPS
+const vec2 kLipExponents = vec2(26.0, 91.0);
+
+vec4 lips(inout vec3 albedo, inout vec2 gloss) {
+  float lip = v_masks.x;
+  float creases = noise(vec2(v_rest.x * 1.15, v_rest.y * 0.16), 3) - 0.5;
+  float border = smoothstep(0.33, 0.62, lip + 0.1 * creases * (1.0 - min(lip, 1.0)));
+  vec3 vermilion = mix(srgb(196.0, 120.0, 110.0), srgb(166.0, 82.0, 77.0),
+                       smoothstep(0.9, 1.6, lip));
+  albedo = mix(albedo, vermilion * (1.0 + 0.22 * creases), 0.86 * border);
+  albedo = mix(albedo, srgb(164.0, 74.0, 72.0), 0.9 * smoothstep(1.6, 2.4, lip));
+  albedo = mix(albedo, srgb(134.0, 58.0, 56.0), smoothstep(0.05, 0.6, v_masks.y));
+  gloss += vec2(0.05, 0.04) * border;
+  return vec4(mix(kSkinExponents, kLipExponents, border), border, creases);
+}
+#endif
+
+#ifdef BROW
+// Hairs combed outward and up: noise drawn out along their direction.
+void brow(inout vec3 albedo, inout vec2 gloss) {
+  const float kLength = 48.0;   // mm along the brow
+  float along = v_brow.x;
+  float above = v_brow.y;
+  int side = v_rest.x > 0.0 ? 1 : 9;
+  float combed = along * kLength - above * (0.25 + 1.6 * along);
+  float hairs = 0.6 * noise(vec2(combed * 3.2, above * 0.22 + 7.0), side) +
+                0.5 * noise(vec2(combed * 6.3, above * 0.35), side + 2);
+  float edge = v_brow.z * (0.75 + 0.6 * noise(vec2(combed * 2.6, 2.0), side + 4));
+  float density = 1.0 - smoothstep(0.35 * edge, 1.15 * edge, abs(above));
+  density *= smoothstep(0.0, 0.12, along + 0.06 * (hairs - 0.4)) *
+             (1.0 - 0.55 * smoothstep(0.85, 1.0, along)) * (1.0 - smoothstep(1.0, 1.04, along));
+  float cover = clamp(density * (0.42 + 1.2 * smoothstep(0.25, 0.72, hairs)), 0.0, 1.0);
+  albedo = mix(albedo, srgb(62.0, 43.0, 33.0), 0.92 * cover);
+  gloss *= 1.0 - cover;
+}
+#endif
+
+#ifdef HAIR
+// Short hair, painted: strands stand up, so the noise is drawn out along y.
+void hair(inout vec3 albedo, inout vec2 gloss) {
+  vec3 strand = v_rest * vec3(1.7, 0.42, 0.8);
+  float strands = 0.5 * noise(strand) + 0.25 * noise(strand * 2.03) + 0.11;
+  float cover = smoothstep(0.22, 0.78, v_masks.z + 0.42 * (strands - 0.45));
+  albedo = mix(albedo, srgb(66.0, 47.0, 36.0) * (0.45 + 1.1 * strands), 0.95 * cover);
+  gloss *= 1.0 - vec2(0.6, 1.0) * cover;
+}
+#endif
+
+void main() {
+  vec3 albedo = v_albedo;
+  vec2 gloss = v_gloss;
+  vec2 exponents = kSkinExponents;
+  vec3 normal = normalize(v_normal);
+#ifdef LIPS
+  exponents = lips(albedo, gloss).xy;
+#endif
+#ifdef BROW
+  brow(albedo, gloss);
+#endif
+#ifdef HAIR
+  hair(albedo, gloss);
+#endif
+  colour = vec4(lit(albedo, normal, gloss, exponents), 1.0);
+}

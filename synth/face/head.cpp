@@ -1,0 +1,262 @@
+#include "synth/face/head.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "stimuli/base/error.hpp"
+#include "synth/face/eyes.hpp"
+#include "synth/face/field_table.hpp"
+#include "synth/face/head_motion.hpp"
+#include "synth/face/jaw.hpp"
+#include "synth/face/lashes.hpp"
+#include "synth/face/lids.hpp"
+#include "synth/face/linear_fields.hpp"
+#include "synth/face/lip_contact.hpp"
+#include "synth/face/lip_measures.hpp"
+#include "synth/face/lip_tuck.hpp"
+#include "synth/face/mouth_loops.hpp"
+#include "synth/face/obj_reader.hpp"
+#include "synth/face/rigid_part.hpp"
+#include "synth/face/stencils.hpp"
+#include "synth/face/teeth_obstacle.hpp"
+#include "synth/face/tongue.hpp"
+
+namespace bimodal::synth {
+
+namespace {
+
+constexpr int kSkinLevels = 2;
+
+Pose clamped(const Pose& pose) {
+  Pose result{};
+  for (const auto& control : controls()) {
+    const double wanted = value(pose, control.control);
+    value(result, control.control) = std::clamp(wanted, control.lowest, control.highest);
+  }
+  return result;
+}
+
+std::vector<double> x_of(std::span<const glm::dvec3> points) {
+  std::vector<double> result;
+  for (const auto& point : points) result.push_back(point.x);
+  return result;
+}
+
+/// The head's files, read whole.
+struct HeadFiles {
+  std::filesystem::path mesh;
+  std::vector<Cage> cages;
+  FieldTable fields;
+  FieldTable teeth;
+
+  explicit HeadFiles(const std::filesystem::path& folder)
+      : mesh{folder / "head.obj"},
+        cages{read_obj(mesh)},
+        fields{folder / "fields.csv"},
+        teeth{folder / "teeth.csv"} {
+    require_rows(fields, folder / "fields.csv", part("skin").vertices.size());
+    require_rows(teeth,
+                 folder / "teeth.csv",
+                 part("upper_teeth").vertices.size() + part("lower_teeth").vertices.size());
+    if (part("tongue").vertices.size() != kTongueVertices) {
+      throw Error{
+          fmt::format("{}: the tongue has {} vertices, not {}; regenerate the file with "
+                      "tools/head",
+                      mesh.string(),
+                      part("tongue").vertices.size(),
+                      kTongueVertices)};
+    }
+  }
+
+  [[nodiscard]] const Cage& part(std::string_view name) const {
+    return synth::part(cages, name, mesh);
+  }
+
+ private:
+  static void require_rows(const FieldTable& table,
+                           const std::filesystem::path& file,
+                           std::size_t rows) {
+    if (table.rows() == rows) return;
+    throw Error{
+        fmt::format("{}: {} rows, but head.obj has {} vertices to describe; regenerate both "
+                    "with tools/head",
+                    file.string(),
+                    table.rows(),
+                    rows)};
+  }
+};
+
+RigidPart subdivided(const Cage& cage, Material material, RigidPart::Carrier carrier, int levels) {
+  return rigid_part(cage, {cage.vertices.size(), cage.faces, levels}, material, carrier);
+}
+
+/// Teeth know how far each vertex is from the biting edge.
+RigidPart teeth_part(const Cage& cage,
+                     RigidPart::Carrier carrier,
+                     std::span<const double> heights) {
+  const Stencils stencils{cage.vertices.size(), cage.faces, 2};
+  auto part = rigid_part(cage, stencils, Material::Tooth, carrier);
+  part.description.special = stencils.apply(heights);
+  return part;
+}
+
+std::vector<RigidPart> rigid_parts(const HeadFiles& files) {
+  using enum RigidPart::Carrier;
+  const auto& upper = files.part("upper_teeth");
+  const auto& lower = files.part("lower_teeth");
+  const auto heights = files.teeth.column("height");
+  std::vector<RigidPart> parts;
+  parts.push_back(teeth_part(upper, UpperTeeth, heights.first(upper.vertices.size())));
+  parts.push_back(teeth_part(lower, LowerTeeth, heights.last(lower.vertices.size())));
+  parts.push_back(subdivided(files.part("upper_gum"), Material::Gum, UpperTeeth, 1));
+  parts.push_back(subdivided(files.part("lower_gum"), Material::Gum, LowerTeeth, 1));
+  parts.push_back(subdivided(files.part("left_ear"), Material::Skin, Head, 2));
+  parts.push_back(subdivided(files.part("right_ear"), Material::Skin, Head, 2));
+  for (auto& part : eye_parts(files.part("left_eye"), true)) parts.push_back(std::move(part));
+  for (auto& part : eye_parts(files.part("right_eye"), false)) parts.push_back(std::move(part));
+  return parts;
+}
+
+}  // namespace
+
+/// Everything that posing needs. The surfaces are skin, tongue, lashes, then the rigid parts.
+struct Head::Rig {
+  explicit Rig(const HeadFiles& files)
+      : rest{files.part("skin").vertices},
+        jaw_weight{files.fields.column("jaw").begin(), files.fields.column("jaw").end()},
+        mouth{files.fields.whole_numbers("mouth_ring"),
+              files.fields.whole_numbers("mouth_column"),
+              x_of(rest)},
+        linear{files.fields},
+        tuck{files.fields, rest},
+        teeth{files.fields},
+        lids{files.fields, rest},
+        lashes{files.fields, rest},
+        skin{rest.size(), files.part("skin").faces, kSkinLevels},
+        tongue{kTongueVertices, files.part("tongue").faces, kSkinLevels},
+        head_weight{skin.apply(files.fields.column("neck"))},
+        rest_skin{drawn(skin, rest)},
+        ruler{files.fields, mouth, rest_skin},
+        parts{rigid_parts(files)} {
+    surfaces.push_back({.material = Material::Skin,
+                        .triangles = skin.triangles(),
+                        .rest_positions = rest_skin,
+                        .lip = skin.apply(files.fields.column("lip")),
+                        .wet = skin.apply(files.fields.column("wet")),
+                        .scalp = skin.apply(files.fields.column("scalp")),
+                        .special = skin.apply(files.fields.column("dark"))});
+    surfaces.push_back(unmasked(
+        Material::Tongue, tongue.triangles(), drawn(tongue, tongue_cage(neutral_pose(), {}))));
+    surfaces.push_back(lashes.description(rest_skin));
+    for (auto& part : parts) surfaces.push_back(part.description);
+  }
+
+  static std::vector<glm::vec3> drawn(const Stencils& stencils, std::span<const glm::dvec3> cage) {
+    std::vector<glm::vec3> fine;
+    stencils.apply(cage, fine);
+    return fine;
+  }
+
+  /// The order matters: each step sees what the former ones did.
+  void pose_skin_cage(const Pose& pose, const JawMotion& jaw, std::vector<glm::dvec3>& cage) const {
+    cage = rest;
+    linear.move(pose, cage);
+    tuck.roll(value(pose, Control::LowerLipTuck), cage);
+    for (std::size_t i = 0; i < cage.size(); ++i) {
+      if (jaw_weight[i] != 0.0) cage[i] = jaw.move(cage[i], jaw_weight[i]);
+    }
+    tuck.carry(value(pose, Control::LowerLipTuck), mouth, cage);
+    bring_lips_together({.closure = value(pose, Control::LipClosure),
+                         .compression = value(pose, Control::LipCompression),
+                         .width_mm = value(pose, Control::LipWidth)},
+                        mouth,
+                        cage);
+    teeth.push_lips_out(jaw, cage);
+    const double lid = value(pose, Control::LidClosure);
+    lids.close(lid, std::min(1.0, lid + value(pose, Control::RightLidClosure)), cage);
+  }
+
+  [[nodiscard]] static RigidMotion carried(RigidPart::Carrier carrier,
+                                           const Pose& pose,
+                                           const JawMotion& jaw) {
+    const double gaze_x = value(pose, Control::GazeX);
+    const double gaze_y = value(pose, Control::GazeY);
+    RigidMotion teeth_offset;
+    teeth_offset.translation = {value(pose, Control::TeethX), 0.0, value(pose, Control::TeethZ)};
+    switch (carrier) {
+      case RigidPart::Carrier::Head:
+        return {};
+      case RigidPart::Carrier::UpperTeeth:
+        return teeth_offset;
+      case RigidPart::Carrier::LowerTeeth:
+        return teeth_offset.after(jaw.rigid());
+      case RigidPart::Carrier::LeftEye:
+        return gaze(true, gaze_x, gaze_y);
+      case RigidPart::Carrier::RightEye:
+        return gaze(false, gaze_x, gaze_y);
+    }
+    return {};
+  }
+
+  std::vector<glm::dvec3> rest;
+  std::vector<double> jaw_weight;
+  MouthLoops mouth;
+  LinearFields linear;
+  LipTuck tuck;
+  TeethObstacle teeth;
+  Lids lids;
+  Lashes lashes;
+  Stencils skin;
+  Stencils tongue;
+  std::vector<float> head_weight;
+  std::vector<glm::vec3> rest_skin;
+  LipRuler ruler;
+  std::vector<RigidPart> parts;
+  std::vector<SurfaceDescription> surfaces;
+};
+
+Head::Head(const std::filesystem::path& folder) : rig_{std::make_unique<Rig>(HeadFiles{folder})} {}
+
+Head::~Head() = default;
+Head::Head(Head&&) noexcept = default;
+Head& Head::operator=(Head&&) noexcept = default;
+
+std::span<const SurfaceDescription> Head::surfaces() const {
+  return rig_->surfaces;
+}
+
+void Head::pose(const Pose& wanted, PosedHead& posed) const {
+  const Pose pose = clamped(wanted);
+  const JawMotion jaw{.opening_deg = value(pose, Control::Jaw),
+                      .thrust_mm = value(pose, Control::JawThrust)};
+  const auto head = head_motion(pose);
+
+  posed.surfaces.resize(rig_->surfaces.size());
+  auto& skin = posed.surfaces[0];
+  auto& tongue = posed.surfaces[1];
+  auto& lashes = posed.surfaces[2];
+
+  rig_->pose_skin_cage(pose, jaw, posed.skin_cage);
+  rig_->skin.apply(posed.skin_cage, skin.positions);
+  posed.lips = rig_->ruler.measure(rig_->mouth, skin.positions);
+  rig_->lashes.place(skin.positions, lashes);
+  turn(head, lashes);
+  turn_skin(head, rig_->head_weight, skin.positions);
+  quad_normals(skin.positions, rig_->skin.quads(), skin.normals);
+
+  rig_->tongue.apply(tongue_cage(pose, jaw), tongue.positions);
+  quad_normals(tongue.positions, rig_->tongue.quads(), tongue.normals);
+  turn(head, tongue);
+
+  for (std::size_t i = 0; i < rig_->parts.size(); ++i) {
+    const auto& part = rig_->parts[i];
+    part.move(head.after(Rig::carried(part.carrier, pose, jaw)), posed.surfaces[i + 3]);
+  }
+  posed.lips.inner_centre = glm::vec3{head.move(glm::dvec3{posed.lips.inner_centre})};
+}
+
+}  // namespace bimodal::synth

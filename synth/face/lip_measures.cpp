@@ -1,0 +1,108 @@
+#include "synth/face/lip_measures.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::synth {
+
+namespace {
+
+constexpr double kClosedMm = 0.001;  // below the rounding of single precision, about 1e-5 mm
+constexpr double kVisibleMm = 0.6;   // a narrower slit does not count for the width
+constexpr int kBorder = 4;           // ring of the vermilion border
+constexpr int kFullest = 5;          // ring of the fullest vermilion
+constexpr int kContact = 6;          // first ring where the lips touch
+constexpr int kLastContact = 8;
+constexpr int kUpper = 0;  // columns of the midline
+constexpr int kLower = 16;
+constexpr int kChinRow = 26;
+
+/// The opening at one column, from the midline outward.
+struct Slit {
+  double x = 0.0;
+  double gap = 0.0;
+};
+
+using Slits = std::array<Slit, MouthLoops::kCorner + 1>;
+
+Slits slits_of(const MouthLoops& mouth, std::span<const glm::vec3> skin) {
+  constexpr auto kSide = MouthLoops::Side::Left;  // both sides are alike
+  Slits slits;
+  for (int column = 0; column < MouthLoops::kCorner; ++column) {
+    auto& slit = slits.at(static_cast<std::size_t>(column));
+    const auto upper = [&](int ring) { return skin[mouth.vertex(ring, column, kSide)]; };
+    const auto lower = [&](int ring) { return skin[mouth.vertex(ring, kLower - column, kSide)]; };
+    slit.x = 0.5 * static_cast<double>(upper(kContact).x + lower(kContact).x);
+    slit.gap = static_cast<double>(upper(kFullest).y - lower(kFullest).y);
+    for (int ring = kContact; ring <= kLastContact; ++ring) {
+      slit.gap = std::min(slit.gap, static_cast<double>(upper(ring).y - lower(ring).y));
+    }
+    if (slit.gap < kClosedMm) slit.gap = 0.0;
+  }
+  slits.back().x = static_cast<double>(skin[mouth.vertex(kContact, MouthLoops::kCorner, kSide)].x);
+  return slits;
+}
+
+double area_between(const Slits& slits) {
+  double area = 0.0;
+  for (std::size_t i = 1; i < slits.size(); ++i) {
+    area += 0.5 * (slits[i].gap + slits[i - 1].gap) * (slits[i].x - slits[i - 1].x);
+  }
+  return 2.0 * area;
+}
+
+double visible_width(const Slits& slits) {
+  for (std::size_t i = slits.size() - 1; i > 0; --i) {
+    const auto& inner = slits[i - 1];
+    const auto& outer = slits[i];
+    if (inner.gap <= kVisibleMm) continue;
+    const double part = (inner.gap - kVisibleMm) / (inner.gap - outer.gap);
+    return 2.0 * (inner.x + part * (outer.x - inner.x));
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+LipRuler::LipRuler(const FieldTable& table,
+                   const MouthLoops& mouth,
+                   std::span<const glm::vec3> rest) {
+  const auto row = table.whole_numbers("row");
+  const auto column = table.whole_numbers("column");
+  while (chin_ < row.size() && (row[chin_] != kChinRow || column[chin_] != 0)) ++chin_;
+  if (chin_ == row.size()) {
+    throw Error{fmt::format(
+        "the head has no chin (row {}, column 0); regenerate it with tools/head", kChinRow)};
+  }
+  using enum MouthLoops::Side;
+  rest_upper_z_ = rest[mouth.vertex(kFullest, kUpper, Left)].z;
+  rest_lower_z_ = rest[mouth.vertex(kFullest, kLower, Left)].z;
+  rest_chin_y_ = rest[chin_].y;
+}
+
+LipMeasures LipRuler::measure(const MouthLoops& mouth, std::span<const glm::vec3> skin) const {
+  using enum MouthLoops::Side;
+  const auto at = [&](int ring, int column, MouthLoops::Side side) {
+    return skin[mouth.vertex(ring, column, side)];
+  };
+  const auto slits = slits_of(mouth, skin);
+  return {
+      .inner_height_mm = slits.front().gap,
+      .inner_width_mm = visible_width(slits),
+      .inner_area_mm2 = area_between(slits),
+      .outer_width_mm = static_cast<double>(at(kBorder, MouthLoops::kCorner, Left).x -
+                                            at(kBorder, MouthLoops::kCorner, Right).x),
+      .outer_height_mm =
+          static_cast<double>(at(kBorder, kUpper, Left).y - at(kBorder, kLower, Left).y),
+      .upper_protrusion_mm = static_cast<double>(at(kFullest, kUpper, Left).z - rest_upper_z_),
+      .lower_protrusion_mm = static_cast<double>(at(kFullest, kLower, Left).z - rest_lower_z_),
+      .chin_drop_mm = static_cast<double>(rest_chin_y_ - skin[chin_].y),
+      .inner_centre = 0.5F * (at(kContact, kUpper, Left) + at(kContact, kLower, Left)),
+  };
+}
+
+}  // namespace bimodal::synth

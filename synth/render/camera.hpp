@@ -1,0 +1,19 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "synth/render/view.hpp"
+
+namespace bimodal::synth {
+
+/// A pinhole camera 1.1 m from the head, as across a table: near enough for natural perspective,
+/// far enough that the face is not distorted.
+struct Camera {
+  glm::mat4 clip_from_world;  ///< with the y axis down: OpenGL's first row is the picture's top
+  glm::vec3 position;         ///< mm, in the head's coordinates
+};
+
+[[nodiscard]] Camera camera_for(const View& view);
+
+}  // namespace bimodal::synth

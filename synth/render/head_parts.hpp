@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "synth/face/surface.hpp"
+#include "synth/render/paint.hpp"
+
+namespace bimodal::synth {
+
+/// What is drawn by one program, in the order of drawing: what hides the rest comes first, the
+/// transparent cornea last.
+enum class HeadPart : std::uint8_t {
+  Skin,
+  Lips,
+  Brow,
+  Hair,
+  Eye,
+  Tooth,
+  Gum,
+  Tongue,
+  Lash,
+  Cornea
+};
+inline constexpr std::size_t kHeadPartCount = 10;
+
+/// How a part takes light.
+struct PartLook {
+  HeadPart part;
+  std::string_view shader;      ///< the fragment shader's own file
+  std::string_view definition;  ///< what is #defined in it
+  float sky_floor;     ///< 0..1: light from around that reaches it in spite of what covers it
+  float shadow_floor;  ///< 0..1: key light that reaches it in spite of what covers it
+  float softness;      ///< 1 like skin, 0 like wood: how far light creeps round the form
+  glm::vec3 exponents_and_grain;  ///< mouth parts: broad and sharp highlight, roughness of colour
+};
+
+/// One row per part, in the order of the enumeration.
+[[nodiscard]] std::span<const PartLook, kHeadPartCount> part_looks();
+
+/// The triangles of all surfaces, sorted by part; vertices are numbered through all surfaces.
+struct SortedTriangles {
+  std::array<std::vector<std::uint32_t>, kHeadPartCount> indices;
+};
+
+/// `paints`: one per surface.
+[[nodiscard]] SortedTriangles sort_by_part(std::span<const SurfaceDescription> surfaces,
+                                           std::span<const std::vector<VertexPaint>> paints);
+
+}  // namespace bimodal::synth

@@ -1,0 +1,189 @@
+#include "synth/render/occlusion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat4x4.hpp>
+
+#include "synth/render/lights.hpp"
+#include "synth/render/shader.hpp"
+
+namespace bimodal::synth {
+
+namespace {
+
+constexpr int kSkyDirections = 48;
+constexpr int kSkyMapSize = 320;         // texels; 1.2 mm each
+constexpr int kLightMapSize = 1024;      // 0.36 mm
+constexpr float kHalfExtent = 185.0F;    // mm seen from the centre
+constexpr glm::vec3 kCentre{0.0F, -20.0F, 10.0F};
+constexpr float kGoldenAngle = 2.39996323F;  // radians; spreads points evenly round a sphere
+
+glm::vec3 lifted(const SurfaceGeometry& geometry, std::size_t vertex, float lift) {
+  return geometry.positions[vertex] + lift * geometry.normals[vertex];
+}
+
+/// The head's nearest depth, seen from infinitely far in one direction.
+class DepthMaps {
+ public:
+  DepthMaps(const MeshBuffers& mesh, int size)
+      : mesh_{mesh},
+        program_{{{"depth.vert"}, {"depth.frag"}}},
+        size_{size},
+        depths_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)) {
+    glGenRenderbuffers(1, &renderbuffer_);
+    glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, size, size);
+    glGenFramebuffers(1, &framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferRenderbuffer(
+        GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffer_);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+  }
+
+  ~DepthMaps() {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteRenderbuffers(1, &renderbuffer_);
+  }
+
+  DepthMaps(const DepthMaps&) = delete;
+  DepthMaps& operator=(const DepthMaps&) = delete;
+  DepthMaps(DepthMaps&&) = delete;
+  DepthMaps& operator=(DepthMaps&&) = delete;
+
+  /// Draws the map; `towards` is a unit vector.
+  void look_from(glm::vec3 towards) {
+    const glm::vec3 up =
+        std::abs(towards.y) > 0.95F ? glm::vec3{0.0F, 0.0F, 1.0F} : glm::vec3{0.0F, 1.0F, 0.0F};
+    const glm::mat4 light_from_world = glm::lookAt(kCentre + kHalfExtent * towards, kCentre, up);
+    clip_from_world_ =
+        glm::ortho(
+            -kHalfExtent, kHalfExtent, -kHalfExtent, kHalfExtent, 0.0F, 2.0F * kHalfExtent) *
+        light_from_world;
+    glViewport(0, 0, size_, size_);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    program_.use();
+    program_.set("clip_from_world", clip_from_world_);
+    for (const HeadPart part : kCasters) mesh_.draw(part);
+    glReadPixels(0, 0, size_, size_, GL_DEPTH_COMPONENT, GL_FLOAT, depths_.data());
+  }
+
+  /// 0..1, the weighted part of the four nearest texels that nothing nearer covers.
+  [[nodiscard]] float visible(glm::vec3 point, float bias) const {
+    const glm::vec3 in_map =
+        (glm::vec3{clip_from_world_ * glm::vec4{point, 1.0F}} * 0.5F + 0.5F) *
+        glm::vec3{static_cast<float>(size_), static_cast<float>(size_), 1.0F};
+    const float depth = in_map.z - bias / (2.0F * kHalfExtent);
+    const float left = std::floor(in_map.x - 0.5F);
+    const float bottom = std::floor(in_map.y - 0.5F);
+    const float x = in_map.x - 0.5F - left;
+    const float y = in_map.y - 0.5F - bottom;
+    const auto column = static_cast<int>(left);
+    const auto row = static_cast<int>(bottom);
+    return (1.0F - y) * ((1.0F - x) * open(column, row, depth) + x * open(column + 1, row, depth)) +
+           y * ((1.0F - x) * open(column, row + 1, depth) + x * open(column + 1, row + 1, depth));
+  }
+
+ private:
+  // Lashes are too fine and the cornea is clear.
+  static constexpr std::array kCasters{HeadPart::Skin,
+                                       HeadPart::Lips,
+                                       HeadPart::Brow,
+                                       HeadPart::Hair,
+                                       HeadPart::Eye,
+                                       HeadPart::Tooth,
+                                       HeadPart::Gum,
+                                       HeadPart::Tongue};
+
+  [[nodiscard]] float open(int column, int row, float depth) const {
+    if (column < 0 || row < 0 || column >= size_ || row >= size_) return 1.0F;
+    const auto texel = static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) +
+                       static_cast<std::size_t>(column);
+    return depth < depths_[texel] ? 1.0F : 0.0F;
+  }
+
+  const MeshBuffers& mesh_;
+  Program program_;
+  int size_;
+  std::vector<float> depths_;
+  GLuint renderbuffer_ = 0;
+  GLuint framebuffer_ = 0;
+  glm::mat4 clip_from_world_{1.0F};
+};
+
+/// Calls visit(vertex number through all surfaces, surface geometry, vertex number in it).
+template <typename Visit>
+void for_each_vertex(const PosedHead& head, Visit visit) {
+  std::size_t through_all = 0;
+  for (const SurfaceGeometry& surface : head.surfaces) {
+    for (std::size_t i = 0; i < surface.positions.size(); ++i) visit(through_all++, surface, i);
+  }
+}
+
+void bake_sky(const PosedHead& resting, const MeshBuffers& mesh, std::vector<Exposure>& baked) {
+  constexpr float kLift = 0.6F;  // mm off the surface, against shadowing itself
+  constexpr float kBias = 1.6F;  // mm
+  std::vector<float> arriving(baked.size());
+  std::vector<float> possible(baked.size());
+  DepthMaps maps{mesh, kSkyMapSize};
+  for (int i = 0; i < kSkyDirections; ++i) {
+    const float part = (static_cast<float>(i) + 0.5F) / static_cast<float>(kSkyDirections);
+    const float height = 1.0F - 1.75F * part;  // the lowest eighth is hidden by the shoulders
+    const float radius = std::sqrt(std::max(0.0F, 1.0F - height * height));
+    const float round = static_cast<float>(i) * kGoldenAngle;
+    const glm::vec3 towards{radius * std::cos(round), height, radius * std::sin(round)};
+    const float brightness = std::max(0.04F, 0.42F + 0.58F * height);
+    maps.look_from(towards);
+    for_each_vertex(resting, [&](std::size_t v, const SurfaceGeometry& surface, std::size_t own) {
+      const float cosine = glm::dot(surface.normals[own], towards);
+      if (cosine <= 0.0F) return;
+      possible[v] += cosine * brightness;
+      arriving[v] += cosine * brightness * maps.visible(lifted(surface, own, kLift), kBias);
+    });
+  }
+  for (std::size_t v = 0; v < baked.size(); ++v) {
+    baked[v].sky = possible[v] > 0.0F ? arriving[v] / possible[v] : 0.0F;
+  }
+}
+
+/// The part of a light of some size that arrives: a mean over 5 x 5 points round the vertex, in the
+/// plane across the light.
+void bake_light(const PosedHead& resting,
+                DepthMaps& maps,
+                glm::vec3 towards,
+                float spread_mm,
+                float Exposure::*arriving,
+                std::vector<Exposure>& baked) {
+  constexpr float kLift = 0.8F;  // mm
+  constexpr float kBias = 1.2F;  // mm
+  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3{0.0F, 1.0F, 0.0F}, towards));
+  const glm::vec3 up = glm::cross(towards, right);
+  maps.look_from(towards);
+  for_each_vertex(resting, [&](std::size_t v, const SurfaceGeometry& surface, std::size_t own) {
+    float sum = 0.0F;
+    for (int row = -2; row <= 2; ++row) {
+      for (int column = -2; column <= 2; ++column) {
+        const glm::vec3 off = 0.5F * spread_mm *
+                              (static_cast<float>(column) * right + static_cast<float>(row) * up);
+        sum += maps.visible(lifted(surface, own, kLift) + off, kBias);
+      }
+    }
+    baked[v].*arriving = sum / 25.0F;
+  });
+}
+
+}  // namespace
+
+std::vector<Exposure> exposure_at_rest(const PosedHead& resting, const MeshBuffers& mesh) {
+  std::vector<Exposure> baked(mesh.vertex_count());
+  bake_sky(resting, mesh, baked);
+  DepthMaps maps{mesh, kLightMapSize};
+  bake_light(resting, maps, kKeyDirection, 1.6F, &Exposure::key, baked);
+  bake_light(resting, maps, kFillDirection, 2.5F, &Exposure::fill, baked);
+  return baked;
+}
+
+}  // namespace bimodal::synth

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stimuli/base/diagnostic.hpp"
+#include "stimuli/base/quantity.hpp"
+#include "stimuli/timeline/phone.hpp"
+#include "synth/speech/control.hpp"
+#include "synth/speech/dominance.hpp"
+
+namespace bimodal::synth {
+
+/// The segments that a face articulates: rest, 25 consonants, 13 vowels. The diphthongs AY AW OY
+/// are two segments each (face_segments) and have no rows of their own.
+inline constexpr std::size_t kFaceSegmentCount = 39;
+
+/// What one segment asks of one control.
+struct SegmentTarget {
+  double target = 0;            ///< T, in the control's unit; may lie beyond its range
+  Dominance dominance;          ///< alpha, theta before and after (1/ms); c = 1
+  Duration offset{};            ///< t_o: peak of dominance, counted from the segment's centre
+  std::string target_source;    ///< key of sources(): where `target` comes from
+  std::string dynamics_source;  ///< key of sources(): where `dominance` and `offset` come from
+};
+
+/// Target and dominance of every segment for every speech control: the language's articulation as
+/// data, synth/assets/segments/english.json.
+///
+/// The file is `{"about": [...], "sources": {key: reference}, "groups": {name: {"columns": [...],
+/// "rows": {"P B M": [...]}}}}`. A group holds controls that move with the same dynamics; its
+/// columns are alpha, theta_before, theta_after (1/ms), offset_ms, dynamics (a source), targets (a
+/// source), and then one target per control. A row's key names one segment or several, parted by
+/// spaces. Nothing has a default: each segment has a row in each group, and each speech control
+/// belongs to one group.
+class SegmentTable {
+ public:
+  /// Throws Error listing every mistake of the file, or that it cannot be read.
+  explicit SegmentTable(const std::filesystem::path& file);
+
+  /// Reads the table from `text`. Appends every mistake to `diagnostics`, under the name `file`;
+  /// absent if there was an error.
+  [[nodiscard]] static std::optional<SegmentTable> parse(std::string_view text,
+                                                         std::string_view file,
+                                                         std::vector<Diagnostic>& diagnostics);
+
+  /// Preconditions: `segment` is not a diphthong, `control` is a speech control.
+  [[nodiscard]] const SegmentTarget& at(Phone segment, Control control) const;
+
+  /// What each source key stands for.
+  [[nodiscard]] const std::map<std::string, std::string>& sources() const { return sources_; }
+
+ private:
+  friend class SegmentTableReader;
+  SegmentTable() = default;
+
+  std::array<std::array<SegmentTarget, kSpeechControlCount>, kFaceSegmentCount> targets_;
+  std::map<std::string, std::string> sources_;
+};
+
+}  // namespace bimodal::synth

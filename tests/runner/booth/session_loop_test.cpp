@@ -1,0 +1,220 @@
+#include "runner/booth/session_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runner/devices/simulated/simulated_audio.hpp"
+#include "runner/devices/simulated/simulated_display.hpp"
+#include "runner/devices/simulated/simulated_keyboard.hpp"
+#include "runner/devices/simulated/virtual_clock.hpp"
+#include "runner/store/store_error.hpp"
+
+namespace bimodal::runner {
+namespace {
+
+using namespace std::chrono_literals;
+
+protocols::Protocol protocol() {
+  protocols::Protocol made;
+  made.instructions = {"Look and listen."};
+  made.conditions = {{.name = "bimodal", .auditory_talker = "festival:kal", .visual_talker = "face"}};
+  made.breaks = {.every_trials = 2, .text = "Rest."};
+  made.response.prompt = "Which word?";
+  made.farewell = "Thank you.";
+  return made;
+}
+
+std::vector<protocols::PlannedTrial> plan_of(std::size_t trials) {
+  std::vector<protocols::PlannedTrial> plan(trials);
+  for (std::size_t i = 0; i < trials; ++i) {
+    plan[i].index = i;
+    plan[i].block = static_cast<int>(i / 2);
+    plan[i].word = {.spelling = "stew", .phones = {Phone::S, Phone::T, Phone::UW}};
+  }
+  return plan;
+}
+
+/// Trials of 0.7 s without pictures.
+class PlainTrials final : public TrialSource {
+ public:
+  explicit PlainTrials(const std::vector<protocols::PlannedTrial>& plan) : plan_{plan} {}
+
+  bool ready() override { return true; }
+
+  PreparedTrial next() override {
+    PreparedTrial trial{.plan = plan_.at(next_++),
+                        .layout = {.recording = 700ms,
+                                   .lead = 500ms,
+                                   .trail = 500ms,
+                                   .sound_lead = 500ms,
+                                   .sound_trail = 500ms,
+                                   .av_offset = av_offset,
+                                   .has_sound = true}};
+    trial.frames = frame_count(trial.layout, Hertz{60});
+    trial.sound = Sound{.rate = Hertz{48'000},
+                        .samples = std::make_shared<const std::vector<float>>(81'600, 0.1F)};
+    return trial;
+  }
+
+  void hold() override {}
+  void release() override {}
+
+  Duration av_offset{};
+
+ private:
+  const std::vector<protocols::PlannedTrial>& plan_;
+  std::size_t next_ = 0;
+};
+
+class MemoryStore final : public SessionStore {
+ public:
+  std::int64_t begin(const SessionRecord& /*session*/, std::span<const PlanRecord> /*plan*/) override {
+    return 7;
+  }
+
+  void add(std::int64_t session, const TrialRecord& trial) override {
+    EXPECT_EQ(session, 7);
+    if (static_cast<int>(trials.size()) == fail_at) throw StoreError{"the disk is full"};
+    trials.push_back(trial);
+  }
+
+  void add(std::int64_t /*session*/, const EventRecord& event) override { events.push_back(event); }
+  void end(std::int64_t /*session*/, std::string_view /*how*/, std::string_view /*when*/) override {}
+
+  int fail_at = -1;
+  std::vector<TrialRecord> trials;
+  std::vector<EventRecord> events;
+};
+
+/// Presses the given keys, one at each poll.
+class ScriptedKeyboard final : public Keyboard {
+ public:
+  ScriptedKeyboard(const Clock& clock, std::vector<Key> keys) : clock_{clock}, keys_{std::move(keys)} {}
+
+  std::vector<Keystroke> poll() override {
+    if (next_ == keys_.size()) return {};
+    return {{.key = keys_[next_++], .text = "x", .at = clock_.now(), .source = "scripted"}};
+  }
+
+  void expect(std::string_view /*answer*/, Instant /*from*/) override {}
+
+ private:
+  const Clock& clock_;
+  std::vector<Key> keys_;
+  std::size_t next_ = 0;
+};
+
+class SessionLoopTest : public testing::Test {
+ protected:
+  SessionOutcome run(std::size_t trials, Keyboard* other_keyboard = nullptr) {
+    plan_ = plan_of(trials);
+    SimulatedKeyboard typist{clock_};
+    StoreWriter writer{store_};
+    SessionParts parts{.protocol = protocol_,
+                       .plan = plan_,
+                       .booth = {clock_,
+                                 display_,
+                                 other_keyboard != nullptr ? *other_keyboard : typist,
+                                 audio_},
+                       .trials = trials_,
+                       .store = writer,
+                       .begin = [](const RefreshEstimate&) { return std::int64_t{7}; }};
+    if (other_keyboard == nullptr) {
+      parts.answer = [](const protocols::PlannedTrial& trial) { return trial.word.spelling; };
+    }
+    return run_session(parts);
+  }
+
+  VirtualClock clock_;
+  SimulatedDisplay display_{clock_};
+  SimulatedAudio audio_{clock_, Hertz{48'000}};
+  protocols::Protocol protocol_ = protocol();
+  std::vector<protocols::PlannedTrial> plan_;
+  PlainTrials trials_{plan_};
+  MemoryStore store_;
+};
+
+TEST_F(SessionLoopTest, StoresEveryTrialWithItsAnswer) {
+  const auto outcome = run(5);
+  EXPECT_TRUE(outcome.complete);
+  EXPECT_EQ(outcome.trials, 5);
+  EXPECT_EQ(outcome.flagged, 0);
+  ASSERT_EQ(store_.trials.size(), 5U);
+  for (const auto& trial : store_.trials) {
+    EXPECT_EQ(trial.response.text, "stew");
+    EXPECT_EQ(trial.keystrokes.size(), 5U);
+    EXPECT_GT(trial.response.submitted, trial.stimulus_end);
+  }
+  EXPECT_EQ(store_.events.size(), 2U);  // the breaks
+}
+
+TEST_F(SessionLoopTest, ShowsEveryFrameOnceAndInTime) {
+  static_cast<void>(run(1));
+  const auto& refreshes = store_.trials.at(0).refreshes;
+  ASSERT_EQ(refreshes.frame.size(), 102U);
+  for (std::size_t i = 0; i < refreshes.frame.size(); ++i) {
+    EXPECT_EQ(refreshes.frame[i], static_cast<std::int64_t>(i));
+    EXPECT_EQ(refreshes.shown[i], refreshes.planned[i]);
+  }
+}
+
+TEST_F(SessionLoopTest, StatesTheAudioVisualOffsetAsAudioMinusVisual) {
+  trials_.av_offset = 80ms;
+  static_cast<void>(run(1));
+  const auto& onsets = store_.trials.at(0).onsets;
+  ASSERT_EQ(onsets.size(), 2U);
+  EXPECT_EQ(onsets[0].modality, "visual");
+  EXPECT_NEAR(std::chrono::duration<double>(*onsets[1].reported - *onsets[0].reported).count(),
+              0.080,
+              1e-6);
+}
+
+TEST_F(SessionLoopTest, FlagsATrialWhoseFramesWereLateAndSaysHowMany) {
+  int presented = 0;
+  display_.observe([&](const Screen& screen, const Presentation&) {
+    if (!screen.captions.empty()) return;
+    if (++presented == 40) display_.drop_next(3);
+  });
+  const auto outcome = run(2);
+  EXPECT_EQ(outcome.flagged, 1);
+  const auto& trial = store_.trials.at(0);
+  EXPECT_TRUE(trial.flagged);
+  ASSERT_EQ(trial.events.size(), 1U);
+  EXPECT_EQ(trial.events[0].kind, "late_frame");
+  EXPECT_EQ(trial.refreshes.frame.size(), 99U);  // three left out rather than shown late
+}
+
+TEST_F(SessionLoopTest, StopsAndShowsANeutralScreenWhenDataCannotBeKept) {
+  store_.fail_at = 1;
+  bool neutral = false;
+  display_.observe([&](const Screen& screen, const Presentation&) {
+    neutral = screen.captions.empty() && screen.picture == nullptr && !screen.fixation;
+  });
+  EXPECT_THROW(static_cast<void>(run(3)), StoreError);
+  EXPECT_TRUE(neutral);
+  EXPECT_EQ(store_.trials.size(), 1U);
+}
+
+TEST_F(SessionLoopTest, AsksBeforeItStopsOnAPage) {
+  ScriptedKeyboard keyboard{clock_, {Key::Escape, Key::Enter, Key::Escape, Key::Escape}};
+  const auto outcome = run(2, &keyboard);
+  EXPECT_FALSE(outcome.complete);
+  EXPECT_EQ(outcome.session, std::nullopt);
+}
+
+TEST_F(SessionLoopTest, DoesNotStoreTheTrialInWhichItWasStopped) {
+  ScriptedKeyboard keyboard{clock_, {Key::Enter, Key::Escape, Key::Escape}};
+  const auto outcome = run(2, &keyboard);
+  EXPECT_FALSE(outcome.complete);
+  EXPECT_EQ(outcome.session, 7);
+  EXPECT_TRUE(store_.trials.empty());
+  ASSERT_EQ(store_.events.size(), 1U);
+  EXPECT_EQ(store_.events[0].kind, "stopped");
+}
+
+}  // namespace
+}  // namespace bimodal::runner

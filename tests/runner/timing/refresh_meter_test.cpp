@@ -1,0 +1,154 @@
+#include "runner/timing/refresh_meter.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "stimuli/base/random.hpp"
+
+namespace bimodal::runner {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kPeriod{16'683'350};  // 59.94 Hz
+constexpr Instant kStart{Duration{987'654'321'012'345}};
+
+double microseconds(Duration duration) {
+  return std::chrono::duration<double, std::micro>{duration}.count();
+}
+
+/// The distance from the true instant of the refresh nearest to `wanted`.
+double grid_error(const RefreshEstimate& estimate, Instant wanted) {
+  return std::abs(microseconds(nearest_refresh(estimate, wanted) - wanted));
+}
+
+TEST(RefreshMeter, KnowsNothingBeforeTwoInstants) {
+  RefreshMeter meter;
+  EXPECT_EQ(meter.estimate().period, 0ns);
+  meter.add(kStart);
+  EXPECT_EQ(meter.estimate().period, 0ns);
+  EXPECT_EQ(meter.estimate().count, 0);
+  meter.add(kStart + 10ms);
+  EXPECT_EQ(meter.estimate().period, 10ms);
+}
+
+TEST(RefreshMeter, FindsAPerfectGridExactly) {
+  RefreshMeter meter;
+  for (int k = 0; k <= 1000; ++k) meter.add(kStart + k * kPeriod);
+  EXPECT_EQ(meter.estimate().period, kPeriod);
+  EXPECT_EQ(meter.estimate().deviation, 0ns);
+  EXPECT_EQ(meter.estimate().count, 1000);
+  EXPECT_EQ(meter.estimate().phase, kStart + 1000 * kPeriod);
+  EXPECT_EQ(meter.counts().irregular, 0);
+  EXPECT_EQ(meter.counts().skipped, 0);
+}
+
+TEST(RefreshMeter, SeesThroughJitterOfTheStamps) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Random random{seed};
+    RefreshMeter meter;
+    for (int k = 0; k <= 100; ++k) {
+      meter.add(kStart + k * kPeriod + Duration{std::llround(200'000 * random.uniform())});
+    }
+    // Uniform jitter over 200 us: SD 57.7 us each; the slope through 101 of them has a standard
+    // error of 57.7 * sqrt(12 / 101^3) = 0.2 us; an interval has SD sqrt(2) * 57.7 = 81.6 us.
+    EXPECT_NEAR(microseconds(meter.estimate().period), microseconds(kPeriod), 1.0);
+    EXPECT_NEAR(microseconds(meter.estimate().deviation), 81.6, 20.0);
+    EXPECT_LT(grid_error(meter.estimate(), kStart + 101 * kPeriod + 100us), 60.0);
+  }
+}
+
+TEST(RefreshMeter, GivesTheDeviationOfSinglePeriods) {
+  // Alternately 16 and 17 ms, 50 each: SD with n - 1 is 0.5 * sqrt(100 / 99) = 0.502519 ms.
+  RefreshMeter meter;
+  auto at = kStart;
+  meter.add(at);
+  for (int k = 0; k < 100; ++k) meter.add(at += k % 2 == 0 ? 16ms : 17ms);
+  EXPECT_EQ(meter.estimate().deviation, Duration{502'519});
+}
+
+TEST(RefreshMeter, CountsSkippedRefreshesAndKeepsTheGrid) {
+  Random random{3};
+  RefreshMeter meter;
+  std::int64_t skipped = 0;
+  std::int64_t refresh = 0;
+  for (int k = 0; k < 600; ++k) {
+    const auto steps = random.uniform() < 0.3 ? 2 + static_cast<int>(3 * random.uniform()) : 1;
+    if (k > 0) skipped += steps - 1;
+    if (k > 0) refresh += steps;
+    meter.add(kStart + refresh * kPeriod + Duration{std::llround(50'000 * random.uniform())});
+  }
+  EXPECT_EQ(meter.counts().skipped, skipped);
+  EXPECT_EQ(meter.counts().irregular, 0);
+  EXPECT_EQ(meter.counts().intervals, 599);
+  EXPECT_NEAR(microseconds(meter.estimate().period), microseconds(kPeriod), 0.2);
+  EXPECT_LT(grid_error(meter.estimate(), kStart + refresh * kPeriod + 25us), 15.0);
+}
+
+TEST(RefreshMeter, IsNotMovedByLateStamps) {
+  // One stamp in twelve comes 3 to 12 ms late, as when the process is not woken in time.
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Random random{seed};
+    RefreshMeter meter;
+    std::int64_t late = 0;
+    for (int k = 0; k <= 400; ++k) {
+      const auto is_late = k > 0 && k < 400 && random.uniform() < 1.0 / 12;
+      if (is_late) ++late;
+      meter.add(kStart + k * kPeriod +
+                (is_late ? 4ms + Duration{std::llround(8e6 * random.uniform())} : 0ns));
+    }
+    EXPECT_NEAR(microseconds(meter.estimate().period), microseconds(kPeriod), 0.01) << seed;
+    EXPECT_LT(grid_error(meter.estimate(), kStart + 401 * kPeriod), 1.0) << seed;
+    EXPECT_GE(meter.counts().irregular, late) << seed;
+    EXPECT_EQ(meter.counts().restarts, 0) << seed;
+  }
+}
+
+TEST(RefreshMeter, FollowsAScreenWhosePeriodDrifts) {
+  // The period grows by 10 parts in a million each second for a minute.
+  RefreshMeter meter;
+  double at = 0.0;
+  double period = 16'666'667.0;
+  for (int k = 0; k < 3600; ++k) {
+    meter.add(kStart + Duration{std::llround(at)});
+    at += period;
+    period *= 1.0 + 1e-5 / 60.0;
+  }
+  const auto next = kStart + Duration{std::llround(at)};
+  EXPECT_LT(grid_error(meter.estimate(), next), 100.0);
+  // The fit gives the period of the middle of the last 8.5 s.
+  EXPECT_NEAR(microseconds(meter.estimate().period), period / 1000.0, 16'667e-5 * 8.6 / 2 * 1.1);
+}
+
+TEST(RefreshMeter, FindsItsPhaseAgainAfterALongPause) {
+  Random random{11};
+  const auto jitter = [&random] { return Duration{std::llround(100'000 * random.uniform())}; };
+  RefreshMeter meter;
+  for (int k = 0; k < 200; ++k) meter.add(kStart + k * kPeriod + jitter());
+  const auto before = meter.estimate().period;
+  const auto resumed = kStart + 10min + 7ms;
+  meter.add(resumed + jitter());
+  for (int k = 1; k < 20; ++k) meter.add(resumed + k * kPeriod + jitter());
+  EXPECT_EQ(meter.estimate().period, before);
+  EXPECT_LT(grid_error(meter.estimate(), resumed + 20 * kPeriod + 50us), 60.0);
+  for (int k = 20; k < 200; ++k) meter.add(resumed + k * kPeriod + jitter());
+  EXPECT_NEAR(microseconds(meter.estimate().period), microseconds(kPeriod), 0.5);
+}
+
+TEST(RefreshMeter, MeasuresAnewWhenTheRateChanges) {
+  for (const Duration period : {20'000us, 16'667us, 16'949us, 13'333us, 11'765us, 6'944us}) {
+    RefreshMeter meter;
+    auto at = kStart;
+    for (int k = 0; k < 600; ++k) meter.add(at += 16'400us);
+    for (int k = 0; k < 120; ++k) meter.add(at += period);
+    EXPECT_GE(meter.counts().restarts, 1) << period.count();
+    EXPECT_EQ(meter.estimate().period, period);
+    EXPECT_EQ(meter.estimate().phase, at);
+  }
+}
+
+}  // namespace
+}  // namespace bimodal::runner
