@@ -1,12 +1,135 @@
+#include <chrono>
+#include <fstream>
 #include <memory>
+#include <system_error>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "analysis/cli/verb.hpp"
+#include "analysis/report/attachment.hpp"
+#include "analysis/report/page.hpp"
+#include "analysis/report/tables.hpp"
+#include "stimuli/base/error.hpp"
 
 namespace bimodal::analysis {
 
+namespace {
+
+struct ReportRequest {
+  AnalysisRequest analysis;
+  std::filesystem::path folder;
+  std::vector<std::string> pictures;
+  std::vector<std::string> sounds;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  bimodal-analysis report session.sqlite -o report
+  bimodal-analysis report P*.sqlite -o report --exclude-flagged --draws 10000
+  bimodal-analysis report s.sqlite -o report --condition visual --participant P01
+  bimodal-analysis report s.sqlite -o report \
+      --attach-picture 'trial.png:Trial 12, mid-word' --attach-sound 'trial.wav:Trial 12'
+
+Writes report.html (one file, no network needed), trials.csv, words.csv,
+proportions.csv, confusions.csv, likeness.csv, exclusions.csv, columns.csv (what every
+column means) and manifest.json into the folder; prints the page's path last.)";
+
+std::string selection_in_words(const Selection& selection) {
+  std::string words =
+      selection.include_practice ? "practice trials included" : "without practice trials";
+  words += selection.exclude_flagged ? ", without flagged trials" : ", flagged trials included";
+  if (!selection.conditions.empty()) {
+    words += fmt::format(", conditions {} only", fmt::join(selection.conditions, ", "));
+  }
+  if (!selection.participants.empty()) {
+    words += fmt::format(", participants {} only", fmt::join(selection.participants, ", "));
+  }
+  return words;
+}
+
+std::string now_utc() {
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", now);
+}
+
+void write_file(const std::filesystem::path& file, std::string_view content) {
+  std::ofstream stream{file, std::ios::binary};
+  stream << content << std::flush;
+  if (!stream) {
+    throw Error{
+        fmt::format("writing the report: cannot write '{}'; check the folder's permissions "
+                    "and the space left",
+                    file.string())};
+  }
+}
+
+std::vector<Attachment> read_attachments(const ReportRequest& request) {
+  std::vector<Attachment> attachments;
+  for (const auto& picture : request.pictures) {
+    attachments.push_back(read_attachment(Attachment::Kind::Picture, picture));
+  }
+  for (const auto& sound : request.sounds) {
+    attachments.push_back(read_attachment(Attachment::Kind::Sound, sound));
+  }
+  return attachments;
+}
+
+Exit make_report(const ReportRequest& request, Console console) {
+  const auto attachments = read_attachments(request);
+  const auto results = analyse_request(request.analysis, console);
+  if (results.dataset.trials.empty()) {
+    console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
+    return Exit::Findings;
+  }
+  const Making making{.program = fmt::format("bimodal-analysis {}", program_version()),
+                      .made_utc = now_utc(),
+                      .selection = selection_in_words(request.analysis.selection)};
+  std::error_code failure;
+  std::filesystem::create_directories(request.folder, failure);
+  if (failure) {
+    throw Error{
+        fmt::format("writing the report: cannot make the folder '{}': {}; choose another "
+                    "with -o",
+                    request.folder.string(),
+                    failure.message())};
+  }
+  for (const auto& file : report_tables(results, making)) {
+    write_file(request.folder / file.name, file.content);
+  }
+  const auto page = request.folder / "report.html";
+  write_file(page, report_page(results, attachments, making));
+  for (const auto& warning : results.warnings) console.err << "warning: " << warning << '\n';
+  console.out << page.string() << std::endl;
+  return Exit::Done;
+}
+
+}  // namespace
+
 void add_report_verb(CLI::App& program, Verb& chosen) {
-  static_cast<void>(program);
-  static_cast<void>(chosen);
+  const auto request = std::make_shared<ReportRequest>();
+  auto* const verb = program.add_subcommand(
+      "report", "Scores, intervals and confusion matrices as one HTML page and tidy CSV tables");
+  verb->footer(kExamples);
+  add_analysis_options(*verb, request->analysis);
+  verb->add_option("-o,--output", request->folder, "Folder to write into; made if need be")
+      ->required();
+  verb->add_option("--condition",
+                   request->analysis.selection.conditions,
+                   "Only this condition (may be repeated)")
+      ->allow_extra_args(false);
+  verb->add_option("--draws", request->analysis.bootstrap.draws, "Bootstrap draws")
+      ->capture_default_str()
+      ->check(CLI::Range(100, 1'000'000));
+  verb->add_option("--seed", request->analysis.bootstrap.seed, "Seed of the bootstrap")
+      ->capture_default_str();
+  verb->add_option("--attach-picture", request->pictures, "PNG or JPEG as FILE:caption")
+      ->allow_extra_args(false);
+  verb->add_option("--attach-sound", request->sounds, "WAV or FLAC as FILE:caption")
+      ->allow_extra_args(false);
+  verb->callback([request, &chosen] {
+    chosen = [request](Console console) { return make_report(*request, console); };
+  });
 }
 
 }  // namespace bimodal::analysis

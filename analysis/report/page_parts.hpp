@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "analysis/report/attachment.hpp"
+#include "analysis/report/results.hpp"
+
+namespace bimodal::analysis {
+
+/// The parts of the report's page, each an HTML fragment.
+
+[[nodiscard]] std::string_view page_style();
+[[nodiscard]] std::string part_of_warnings(const Results& results);
+[[nodiscard]] std::string part_of_words(const Results& results);
+[[nodiscard]] std::string part_of_proportions(const Results& results);
+[[nodiscard]] std::string part_of_confusions(const Results& results);
+[[nodiscard]] std::string part_of_likeness(const Results& results);
+[[nodiscard]] std::string part_of_attachments(std::span<const Attachment> attachments);
+[[nodiscard]] std::string part_of_data(const Results& results);
+[[nodiscard]] std::string part_of_methods(const Results& results);
+
+/// ".55 [.50, .60]", or the proportion alone, or a dash.
+[[nodiscard]] std::string print_estimate(const Proportion& proportion);
+
+}  // namespace bimodal::analysis
