@@ -216,8 +216,8 @@ TEST_P(Visemes, MeasureAsTheIndependentModelSays) {
   EXPECT_NEAR(lips.chin_drop_mm, expected.chin_drop, kTolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(Segments, Visemes, testing::ValuesIn(kVisemes), [](const auto& info) {
-  return std::string{info.param.name};
+INSTANTIATE_TEST_SUITE_P(Segments, Visemes, testing::ValuesIn(kVisemes), [](const auto& viseme) {
+  return std::string{viseme.param.name};
 });
 
 TEST(LipMeasures, OfClosedLipsAreExactlyZero) {
