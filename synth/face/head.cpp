@@ -90,28 +90,32 @@ struct HeadFiles {
   }
 };
 
+RigidPart subdivided(const Cage& cage, Material material, RigidPart::Carrier carrier, int levels) {
+  return rigid_part(cage, {cage.vertices.size(), cage.faces, levels}, material, carrier);
+}
+
 /// Teeth know how far each vertex is from the biting edge.
-RigidPart teeth_part(const HeadFiles& files, bool upper) {
-  const auto& cage = files.part(upper ? "upper_teeth" : "lower_teeth");
-  using Carrier = RigidPart::Carrier;
-  auto part =
-      rigid_part(cage, Material::Tooth, upper ? Carrier::UpperTeeth : Carrier::LowerTeeth, 2);
-  const auto heights = files.teeth.column("height");
-  const auto first = upper ? 0 : files.part("upper_teeth").vertices.size();
-  part.description.special = Stencils{cage.vertices.size(), cage.faces, 2}.apply(
-      heights.subspan(first, cage.vertices.size()));
+RigidPart teeth_part(const Cage& cage,
+                     RigidPart::Carrier carrier,
+                     std::span<const double> heights) {
+  const Stencils stencils{cage.vertices.size(), cage.faces, 2};
+  auto part = rigid_part(cage, stencils, Material::Tooth, carrier);
+  part.description.special = stencils.apply(heights);
   return part;
 }
 
 std::vector<RigidPart> rigid_parts(const HeadFiles& files) {
-  using Carrier = RigidPart::Carrier;
+  using enum RigidPart::Carrier;
+  const auto& upper = files.part("upper_teeth");
+  const auto& lower = files.part("lower_teeth");
+  const auto heights = files.teeth.column("height");
   std::vector<RigidPart> parts;
-  parts.push_back(teeth_part(files, true));
-  parts.push_back(teeth_part(files, false));
-  parts.push_back(rigid_part(files.part("upper_gum"), Material::Gum, Carrier::UpperTeeth, 1));
-  parts.push_back(rigid_part(files.part("lower_gum"), Material::Gum, Carrier::LowerTeeth, 1));
-  parts.push_back(rigid_part(files.part("left_ear"), Material::Skin, Carrier::Head, 2));
-  parts.push_back(rigid_part(files.part("right_ear"), Material::Skin, Carrier::Head, 2));
+  parts.push_back(teeth_part(upper, UpperTeeth, heights.first(upper.vertices.size())));
+  parts.push_back(teeth_part(lower, LowerTeeth, heights.last(lower.vertices.size())));
+  parts.push_back(subdivided(files.part("upper_gum"), Material::Gum, UpperTeeth, 1));
+  parts.push_back(subdivided(files.part("lower_gum"), Material::Gum, LowerTeeth, 1));
+  parts.push_back(subdivided(files.part("left_ear"), Material::Skin, Head, 2));
+  parts.push_back(subdivided(files.part("right_ear"), Material::Skin, Head, 2));
   for (auto& part : eye_parts(files.part("left_eye"), true)) parts.push_back(std::move(part));
   for (auto& part : eye_parts(files.part("right_eye"), false)) parts.push_back(std::move(part));
   return parts;

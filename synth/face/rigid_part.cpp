@@ -3,8 +3,6 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "synth/face/stencils.hpp"
-
 namespace bimodal::synth {
 
 void RigidPart::move(const RigidMotion& motion, SurfaceGeometry& moved) const {
@@ -19,8 +17,10 @@ void RigidPart::move(const RigidMotion& motion, SurfaceGeometry& moved) const {
   }
 }
 
-RigidPart rigid_part(const Cage& cage, Material material, RigidPart::Carrier carrier, int levels) {
-  const Stencils stencils{cage.vertices.size(), cage.faces, levels};
+RigidPart rigid_part(const Cage& cage,
+                     const Stencils& stencils,
+                     Material material,
+                     RigidPart::Carrier carrier) {
   RigidPart part{.carrier = carrier, .description = {}, .at_rest = {}};
   stencils.apply(cage.vertices, part.at_rest.positions);
   quad_normals(part.at_rest.positions, stencils.quads(), part.at_rest.normals);

@@ -7,6 +7,7 @@
 
 #include "synth/face/obj_reader.hpp"
 #include "synth/face/rigid_motion.hpp"
+#include "synth/face/stencils.hpp"
 #include "synth/face/surface.hpp"
 
 namespace bimodal::synth {
@@ -24,11 +25,11 @@ struct RigidPart {
   void move(const RigidMotion& motion, SurfaceGeometry& moved) const;
 };
 
-/// Subdivides `cage` `levels` times; masks are zero, rest positions are the positions.
+/// `cage` subdivided by `stencils`; masks are zero, rest positions are the positions.
 [[nodiscard]] RigidPart rigid_part(const Cage& cage,
+                                   const Stencils& stencils,
                                    Material material,
-                                   RigidPart::Carrier carrier,
-                                   int levels);
+                                   RigidPart::Carrier carrier);
 
 /// A description whose masks are all zero.
 [[nodiscard]] SurfaceDescription unmasked(Material material,

@@ -1,8 +1,8 @@
 #include "synth/face/stencils.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -16,11 +16,36 @@ namespace bimodal::synth {
 namespace {
 
 using Mesh = OpenMesh::PolyMesh_ArrayKernelT<>;
-using Row = std::map<std::uint32_t, double>;  ///< cage vertex -> weight
+using Row = std::vector<std::pair<std::uint32_t, double>>;  ///< cage vertex -> weight, in order
 
-void add(Row& sum, const Row& row, double weight) {
-  for (const auto& [vertex, value] : row) sum[vertex] += weight * value;
-}
+/// Adds up rows.
+class RowSum {
+ public:
+  explicit RowSum(std::size_t cage_size) : weight_(cage_size) {}
+
+  void add(const Row& row, double weight) {
+    if (weight == 0.0) return;
+    for (const auto& [vertex, value] : row) {
+      if (weight_[vertex] == 0.0) touched_.push_back(vertex);
+      weight_[vertex] += weight * value;
+    }
+  }
+
+  /// The sum so far; starts anew.
+  Row take() {
+    std::ranges::sort(touched_);
+    Row row;
+    row.reserve(touched_.size());
+    for (const auto vertex : touched_)
+      row.emplace_back(vertex, std::exchange(weight_[vertex], 0.0));
+    touched_.clear();
+    return row;
+  }
+
+ private:
+  std::vector<double> weight_;
+  std::vector<std::uint32_t> touched_;
+};
 
 std::size_t at(const OpenMesh::BaseHandle& element) {
   return static_cast<std::size_t>(element.idx());
@@ -41,63 +66,66 @@ Mesh mesh_of(std::size_t vertices, std::span<const Face> faces) {
   return mesh;
 }
 
-Row midpoint(const Mesh& mesh, Mesh::EdgeHandle edge, const std::vector<Row>& rows) {
-  const auto halfedge = mesh.halfedge_handle(edge, 0);
-  Row row;
-  add(row, rows[at(mesh.from_vertex_handle(halfedge))], 0.5);
-  add(row, rows[at(mesh.to_vertex_handle(halfedge))], 0.5);
-  return row;
-}
-
-std::vector<Row> face_points(const Mesh& mesh, const std::vector<Row>& rows) {
+std::vector<Row> face_points(const Mesh& mesh, const std::vector<Row>& rows, RowSum& sum) {
   std::vector<Row> points(mesh.n_faces());
   for (const auto face : mesh.faces()) {
-    for (const auto vertex : face.vertices()) {
-      add(points[at(face)], rows[at(vertex)], 1.0 / face.valence());
-    }
+    for (const auto vertex : face.vertices()) sum.add(rows[at(vertex)], 1.0 / face.valence());
+    points[at(face)] = sum.take();
+  }
+  return points;
+}
+
+std::vector<Row> midpoints(const Mesh& mesh, const std::vector<Row>& rows, RowSum& sum) {
+  std::vector<Row> points(mesh.n_edges());
+  for (const auto edge : mesh.edges()) {
+    sum.add(rows[at(edge.v0())], 0.5);
+    sum.add(rows[at(edge.v1())], 0.5);
+    points[at(edge)] = sum.take();
   }
   return points;
 }
 
 std::vector<Row> edge_points(const Mesh& mesh,
-                             const std::vector<Row>& midpoints,
-                             const std::vector<Row>& face_points) {
+                             const std::vector<Row>& of_midpoints,
+                             const std::vector<Row>& of_faces,
+                             RowSum& sum) {
   std::vector<Row> points(mesh.n_edges());
   for (const auto edge : mesh.edges()) {
-    auto& point = points[at(edge)];
     if (edge.is_boundary()) {
-      point = midpoints[at(edge)];
+      points[at(edge)] = of_midpoints[at(edge)];
       continue;
     }
-    add(point, midpoints[at(edge)], 0.5);
-    add(point, face_points[at(edge.h0().face())], 0.25);
-    add(point, face_points[at(edge.h1().face())], 0.25);
+    sum.add(of_midpoints[at(edge)], 0.5);
+    sum.add(of_faces[at(edge.h0().face())], 0.25);
+    sum.add(of_faces[at(edge.h1().face())], 0.25);
+    points[at(edge)] = sum.take();
   }
   return points;
 }
 
 std::vector<Row> vertex_points(const Mesh& mesh,
                                const std::vector<Row>& rows,
-                               const std::vector<Row>& midpoints,
-                               const std::vector<Row>& face_points) {
+                               const std::vector<Row>& of_midpoints,
+                               const std::vector<Row>& of_faces,
+                               RowSum& sum) {
   std::vector<Row> points(mesh.n_vertices());
   for (const auto vertex : mesh.vertices()) {
-    auto& point = points[at(vertex)];
-    if (vertex.is_boundary()) {
-      add(point, rows[at(vertex)], 0.5);
-      for (const auto edge : vertex.edges()) {
-        if (edge.is_boundary()) add(point, midpoints[at(edge)], 0.25);
-      }
-      continue;
-    }
     const double valence = vertex.valence();
-    add(point, rows[at(vertex)], (valence - 3.0) / valence);
-    for (const auto face : vertex.faces()) {
-      add(point, face_points[at(face)], 1.0 / (valence * valence));
+    if (vertex.is_boundary()) {
+      sum.add(rows[at(vertex)], 0.5);
+      for (const auto edge : vertex.edges()) {
+        if (edge.is_boundary()) sum.add(of_midpoints[at(edge)], 0.25);
+      }
+    } else {
+      sum.add(rows[at(vertex)], (valence - 3.0) / valence);
+      for (const auto face : vertex.faces()) {
+        sum.add(of_faces[at(face)], 1.0 / (valence * valence));
+      }
+      for (const auto edge : vertex.edges()) {
+        sum.add(of_midpoints[at(edge)], 2.0 / (valence * valence));
+      }
     }
-    for (const auto edge : vertex.edges()) {
-      add(point, midpoints[at(edge)], 2.0 / (valence * valence));
-    }
+    points[at(vertex)] = sum.take();
   }
   return points;
 }
@@ -119,13 +147,12 @@ std::vector<Face> refined_faces(const Mesh& mesh) {
 }
 
 /// One step: `rows` are the stencils of the vertices of `faces`; both are refined.
-void refine(std::vector<Row>& rows, std::vector<Face>& faces) {
+void refine(std::vector<Row>& rows, std::vector<Face>& faces, RowSum& sum) {
   const Mesh mesh = mesh_of(rows.size(), faces);
-  const auto of_faces = face_points(mesh, rows);
-  std::vector<Row> midpoints(mesh.n_edges());
-  for (const auto edge : mesh.edges()) midpoints[at(edge)] = midpoint(mesh, edge, rows);
-  const auto of_edges = edge_points(mesh, midpoints, of_faces);
-  rows = vertex_points(mesh, rows, midpoints, of_faces);
+  const auto of_faces = face_points(mesh, rows, sum);
+  const auto of_midpoints = midpoints(mesh, rows, sum);
+  const auto of_edges = edge_points(mesh, of_midpoints, of_faces, sum);
+  rows = vertex_points(mesh, rows, of_midpoints, of_faces, sum);
   rows.insert(rows.end(), of_edges.begin(), of_edges.end());
   rows.insert(rows.end(), of_faces.begin(), of_faces.end());
   faces = refined_faces(mesh);
@@ -136,10 +163,11 @@ void refine(std::vector<Row>& rows, std::vector<Face>& faces) {
 Stencils::Stencils(std::size_t cage_size, std::span<const Face> faces, int levels)
     : cage_size_{cage_size} {
   std::vector<Row> rows(cage_size);
-  for (std::size_t i = 0; i < cage_size; ++i) rows[i][static_cast<std::uint32_t>(i)] = 1.0;
+  for (std::size_t i = 0; i < cage_size; ++i) rows[i] = {{static_cast<std::uint32_t>(i), 1.0}};
   std::vector<Face> fine_faces{faces.begin(), faces.end()};
   assert(levels >= 1);
-  for (int level = 0; level < levels; ++level) refine(rows, fine_faces);
+  RowSum sum{cage_size};
+  for (int level = 0; level < levels; ++level) refine(rows, fine_faces, sum);
 
   first_.push_back(0);
   for (const auto& row : rows) {

@@ -1,0 +1,258 @@
+#include "synth/face/lip_measures.hpp"
+
+#include <ostream>
+
+#include <gtest/gtest.h>
+
+#include "tests/synth/face/the_head.hpp"
+
+namespace bimodal::synth {
+namespace {
+
+using enum Control;
+
+// The lips of fourteen segments as an independent program (numpy and scipy) measured them on its
+// own subdivision of the same cage; it sampled the opening at 400 places, hence the tolerance.
+struct Viseme {
+  std::string_view name;
+  std::vector<Setting> settings;
+  double inner_height;
+  double inner_width;
+  double inner_area;
+  double outer_width;
+  double outer_height;
+  double upper_protrusion;
+  double lower_protrusion;
+  double chin_drop;
+};
+
+void PrintTo(const Viseme& viseme,
+             std::ostream* out) {  // NOLINT(readability-identifier-naming): gtest's
+  *out << viseme.name;
+}
+
+const std::vector<Viseme> kVisemes{
+    {"rest", {}, 0, 0, 0, 51.528, 17.758, 0, 0, 0},
+    {"i",
+     {{Jaw, 3.2}, {LipWidth, 8}, {UpperLipRaise, 1.2}, {LowerLipRaise, -1}, {CornerY, 0.8}},
+     7.209,
+     55.876,
+     343.495,
+     59.113,
+     22.066,
+     -0.632,
+     -3.097,
+     4.847},
+    {"ae",
+     {{Jaw, 9}, {LipWidth, 5}, {UpperLipRaise, 1.6}, {LowerLipRaise, -0.8}},
+     16.056,
+     51.963,
+     725.569,
+     54.826,
+     32.459,
+     -0.288,
+     -7.453,
+     12.928},
+    {"aa",
+     {{Jaw, 11.5}, {LipWidth, -2}, {UpperLipRaise, 0.6}},
+     17.823,
+     44.657,
+     674.358,
+     47.097,
+     36.573,
+     0.131,
+     -9.050,
+     16.132},
+    {"u",
+     {{Jaw, 4.5},
+      {LipProtrusion, 6.5},
+      {LipWidth, -17},
+      {LipFunnel, 0.35},
+      {LowerLipRaise, 1},
+      {UpperLipRaise, -1.2}},
+     5.514,
+     24.194,
+     97.444,
+     31.746,
+     27.098,
+     7.409,
+     4.437,
+     6.554},
+    {"w",
+     {{Jaw, 3.2},
+      {LipProtrusion, 7.5},
+      {LipWidth, -20},
+      {LipFunnel, 0.1},
+      {LowerLipRaise, 1.8},
+      {UpperLipRaise, -0.6}},
+     3.094,
+     21.152,
+     51.385,
+     28.717,
+     23.698,
+     8.128,
+     6.216,
+     4.605},
+    {"b",
+     {{Jaw, 2}, {LipClosure, 1}, {LipCompression, 0.55}},
+     0,
+     0,
+     0,
+     51.116,
+     14.700,
+     -1.540,
+     -1.981,
+     2.998},
+    {"f",
+     {{Jaw, 3}, {LowerLipTuck, 1}, {UpperLipRaise, 1.8}, {LipWidth, 1}},
+     3.641,
+     48.972,
+     171.546,
+     51.940,
+     17.906,
+     0.121,
+     -3.830,
+     4.467},
+    {"th",
+     {{Jaw, 5},
+      {LipWidth, 1},
+      {UpperLipRaise, 1},
+      {LowerLipRaise, -1},
+      {TongueLength, 15},
+      {TongueAngle, 8},
+      {TongueTip, 1.8},
+      {TongueThickness, 0.8}},
+     9.763,
+     48.832,
+     412.508,
+     51.528,
+     27.510,
+     0.026,
+     -3.845,
+     7.438},
+    {"t",
+     {{Jaw, 5},
+      {LipWidth, 1},
+      {UpperLipRaise, 1},
+      {LowerLipRaise, -1},
+      {TongueLength, 6.5},
+      {TongueAngle, 10},
+      {TongueTip, 11.5},
+      {TongueThickness, 0.9}},
+     9.763,
+     48.832,
+     412.508,
+     51.528,
+     27.510,
+     0.026,
+     -3.845,
+     7.438},
+    {"l",
+     {{Jaw, 7}, {UpperLipRaise, 1}, {LowerLipRaise, -0.5}},
+     12.260,
+     47.468,
+     509.270,
+     50.085,
+     30.540,
+     0.125,
+     -5.279,
+     10.191},
+    {"sh",
+     {{Jaw, 2.6},
+      {LipProtrusion, 4.5},
+      {LipWidth, -8},
+      {LipFunnel, 0.8},
+      {UpperLipRaise, 1.2},
+      {LowerLipRaise, -1.2}},
+     7.153,
+     39.188,
+     196.729,
+     41.822,
+     29.779,
+     6.242,
+     4.053,
+     3.996},
+    {"r",
+     {{Jaw, 4}, {LipProtrusion, 3.5}, {LipWidth, -10}, {LipFunnel, 0.6}},
+     6.840,
+     37.103,
+     173.730,
+     39.679,
+     28.816,
+     4.805,
+     1.882,
+     5.923},
+    {"k",
+     {{Jaw, 7}, {LipWidth, 2}, {UpperLipRaise, 0.6}, {TongueBack, 16}, {TongueLength, -6}},
+     11.366,
+     49.421,
+     494.636,
+     52.146,
+     28.848,
+     -0.117,
+     -5.334,
+     10.145},
+};
+
+Pose pose_of(const Viseme& viseme) {
+  Pose pose = neutral_pose();
+  for (const auto& [control, amount] : viseme.settings) value(pose, control) = amount;
+  return pose;
+}
+
+class Visemes : public testing::TestWithParam<Viseme> {};
+
+TEST_P(Visemes, MeasureAsTheIndependentModelSays) {
+  const auto& expected = GetParam();
+  const auto lips = posed(pose_of(expected)).lips;
+  constexpr double kTolerance = 0.005;
+  EXPECT_NEAR(lips.inner_height_mm, expected.inner_height, kTolerance);
+  EXPECT_NEAR(lips.inner_width_mm, expected.inner_width, 0.15);
+  EXPECT_NEAR(lips.inner_area_mm2, expected.inner_area, 0.1);
+  EXPECT_NEAR(lips.outer_width_mm, expected.outer_width, kTolerance);
+  EXPECT_NEAR(lips.outer_height_mm, expected.outer_height, kTolerance);
+  EXPECT_NEAR(lips.upper_protrusion_mm, expected.upper_protrusion, kTolerance);
+  EXPECT_NEAR(lips.lower_protrusion_mm, expected.lower_protrusion, kTolerance);
+  EXPECT_NEAR(lips.chin_drop_mm, expected.chin_drop, kTolerance);
+}
+
+INSTANTIATE_TEST_SUITE_P(Segments, Visemes, testing::ValuesIn(kVisemes), [](const auto& viseme) {
+  return std::string{viseme.param.name};
+});
+
+TEST(LipMeasures, OfClosedLipsAreExactlyZero) {
+  for (const double jaw : {0.0, 2.0, 6.0, 12.0}) {
+    const auto lips = posed(synth::pose_of({{Jaw, jaw}, {LipClosure, 1.0}})).lips;
+    EXPECT_EQ(lips.inner_height_mm, 0.0) << "jaw " << jaw;
+    EXPECT_EQ(lips.inner_width_mm, 0.0) << "jaw " << jaw;
+    EXPECT_EQ(lips.inner_area_mm2, 0.0) << "jaw " << jaw;
+  }
+}
+
+TEST(LipMeasures, GrowWithTheJaw) {
+  double height = 0.0;
+  double area = 0.0;
+  double drop = 0.0;
+  for (const double jaw : {2.0, 5.0, 10.0, 15.0, 20.0}) {
+    const auto lips = posed(synth::pose_of({{Jaw, jaw}})).lips;
+    EXPECT_GT(lips.inner_height_mm, height);
+    EXPECT_GT(lips.inner_area_mm2, area);
+    EXPECT_GT(lips.chin_drop_mm, drop);
+    height = lips.inner_height_mm;
+    area = lips.inner_area_mm2;
+    drop = lips.chin_drop_mm;
+  }
+}
+
+TEST(LipMeasures, DoNotChangeWhenTheHeadTurnsButTheCentreDoes) {
+  const auto straight = posed(synth::pose_of({{Jaw, 8}})).lips;
+  const auto turned = posed(synth::pose_of({{Jaw, 8}, {HeadYaw, 30}, {HeadPitch, 10}})).lips;
+  EXPECT_EQ(straight.inner_height_mm, turned.inner_height_mm);
+  EXPECT_EQ(straight.inner_area_mm2, turned.inner_area_mm2);
+  EXPECT_EQ(straight.outer_width_mm, turned.outer_width_mm);
+  EXPECT_EQ(straight.chin_drop_mm, turned.chin_drop_mm);
+  EXPECT_GT(turned.inner_centre.x, straight.inner_centre.x + 10.0F);
+}
+
+}  // namespace
+}  // namespace bimodal::synth
