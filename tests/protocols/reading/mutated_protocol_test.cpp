@@ -142,9 +142,11 @@ TEST_F(MutatedProtocol, IsNeverAcceptedWithAnUnknownKey) {
     if (!good_[where].is_object()) continue;
     auto mutated = good_;
     mutated[where]["unheard_of"] = 1;
-    const auto read = judge(mutated.dump());
-    ASSERT_EQ(read.diagnostics.size(), 1U) << pointer;
-    EXPECT_EQ(read.diagnostics[0].pointer, pointer + "/unheard_of");
+    std::vector<std::string> errors;
+    for (const auto& found : judge(mutated.dump()).diagnostics) {
+      if (found.severity == Severity::Error) errors.push_back(found.pointer);
+    }
+    EXPECT_EQ(errors, std::vector{pointer + "/unheard_of"});
   }
 }
 

@@ -105,7 +105,11 @@ Json changed(Json protocol, const Json& change) {
   const Json::json_pointer at{change.at("at").get<std::string>()};
   if (change.value("remove", false)) {
     auto& parent = protocol.at(at.parent_pointer());
-    parent.erase(at.back());
+    if (parent.is_array()) {
+      parent.erase(std::stoul(at.back()));
+    } else {
+      parent.erase(at.back());
+    }
   } else {
     protocol[at] = change.at("put");
   }
