@@ -59,13 +59,18 @@ SdlWindow::Options window_options(const protocols::Protocol& protocol, bool wind
           .background = {channel(16), channel(8), channel(0)}};
 }
 
+/// What is on the screen while the display is measured: the first page, so that nobody waits for it.
+Screen opening_screen(const protocols::Protocol& protocol) {
+  return protocol.instructions.empty() ? Screen{} : page_screen(protocol.instructions.front());
+}
+
 Devices open_devices(const protocols::Protocol& protocol, const RunOptions& options) {
   Devices devices;
   if (options.display == "headless") {
     devices.display = std::make_unique<HeadlessDisplay>();
   } else {
     devices.window = std::make_unique<SdlWindow>(window_options(protocol, options.windowed));
-    devices.display = std::make_unique<SdlDisplay>(*devices.window);
+    devices.display = std::make_unique<SdlDisplay>(*devices.window, opening_screen(protocol));
   }
   if (options.answers == "simulated" || !devices.window) {
     devices.keyboard = std::make_unique<SimulatedKeyboard>(devices.clock);
@@ -75,7 +80,7 @@ Devices open_devices(const protocols::Protocol& protocol, const RunOptions& opti
   if (options.audio == "none") {
     devices.audio = std::make_unique<SilentAudio>(devices.clock, protocol.sound.rate);
   } else {
-    devices.audio = std::make_unique<PortAudioOutput>(PortAudioOutput::Options{
+    devices.audio = std::make_unique<PortaudioOutput>(PortaudioOptions{
         .device = options.audio == "default" ? "" : options.audio, .rate = protocol.sound.rate});
   }
   return devices;

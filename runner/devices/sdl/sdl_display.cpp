@@ -32,16 +32,16 @@ std::unique_ptr<SurfaceFeedback> feedback_of(const SdlWindow& window) {
 
 }  // namespace
 
-SdlDisplay::SdlDisplay(SdlWindow& window)
+SdlDisplay::SdlDisplay(SdlWindow& window, const Screen& opening)
     : window_{window}, painter_{window.background()}, feedback_{feedback_of(window)} {
-  measure_refresh();
+  measure_refresh(opening);
 }
 
-void SdlDisplay::measure_refresh() {
+void SdlDisplay::measure_refresh(const Screen& opening) {
   using Kind = SurfaceFeedback::Kind;
-  if (feedback_ && feedback_->offers(Kind::Presented) && measure_answers(Kind::Presented)) {
+  if (feedback_ && feedback_->offers(Kind::Presented) && measure_answers(Kind::Presented, opening)) {
     source_ = TimeSource::DriverReported;
-  } else if (feedback_ ? measure_answers(Kind::FrameDrawn) : measure_swaps()) {
+  } else if (feedback_ ? measure_answers(Kind::FrameDrawn, opening) : measure_swaps(opening)) {
     source_ = TimeSource::SwapReturned;
   } else {
     nominal_ = {.period = period_of(window_.nominal_rate()), .phase = clock_.now()};
@@ -49,13 +49,13 @@ void SdlDisplay::measure_refresh() {
 }
 
 /// False when the compositor leaves 5 flips without an answer.
-bool SdlDisplay::measure_answers(SurfaceFeedback::Kind kind) {
+bool SdlDisplay::measure_answers(SurfaceFeedback::Kind kind, const Screen& opening) {
   answer_ = kind;
   meter_ = RefreshMeter{};
   int unanswered = 0;
   for (int flip = 0; flip < kUncountedFlips + kMeasuredFlips + 1; ++flip) {
     window_.pump();
-    painter_.draw({}, window_.size());
+    painter_.draw(opening, window_.size());
     feedback_->request(kind);
     window_.swap();
     const auto shown = feedback_->await(kPatience);
@@ -66,14 +66,14 @@ bool SdlDisplay::measure_answers(SurfaceFeedback::Kind kind) {
 }
 
 /// False when the swap does not wait for the screen.
-bool SdlDisplay::measure_swaps() {
+bool SdlDisplay::measure_swaps(const Screen& opening) {
   std::array<Duration, kUncountedFlips> intervals{};
   const auto nominal = period_of(window_.nominal_rate());
   auto last = clock_.now();
   for (int flip = 0; flip < kUncountedFlips + kMeasuredFlips + 1; ++flip) {
     if (flip == kUncountedFlips && !swap_waits(intervals, nominal)) return false;
     window_.pump();
-    painter_.draw({}, window_.size());
+    painter_.draw(opening, window_.size());
     window_.swap();
     const auto returned = clock_.now();
     if (flip < kUncountedFlips) {

@@ -24,9 +24,10 @@ namespace bimodal::runner {
 /// A presentation that got no report is "predicted" by itself, whatever the others are.
 class SdlDisplay final : public Display {
  public:
-  /// Measures the refresh over 100 flips of the empty screen, after 20 that are not counted: 2 s at
-  /// 60 Hz. `window` is borrowed and must outlive the display; one thread uses both.
-  explicit SdlDisplay(SdlWindow& window);
+  /// Measures the refresh over 100 flips after 20 that are not counted: 2 s at 60 Hz, in which
+  /// `opening` is on the screen. `window` is borrowed and must outlive the display; one thread uses
+  /// both.
+  explicit SdlDisplay(SdlWindow& window, const Screen& opening = {});
 
   Presentation present(const Screen& screen, Instant deadline) override;
 
@@ -42,9 +43,9 @@ class SdlDisplay final : public Display {
   [[nodiscard]] const RefreshCounts& counts() const { return meter_.counts(); }
 
  private:
-  void measure_refresh();
-  [[nodiscard]] bool measure_answers(SurfaceFeedback::Kind kind);
-  [[nodiscard]] bool measure_swaps();
+  void measure_refresh(const Screen& opening);
+  [[nodiscard]] bool measure_answers(SurfaceFeedback::Kind kind, const Screen& opening);
+  [[nodiscard]] bool measure_swaps(const Screen& opening);
   [[nodiscard]] std::string describe_source() const;
   void wait_until(Instant instant);
   Presentation present_answered(const RefreshPlan& plan);
