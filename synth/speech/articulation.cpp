@@ -12,8 +12,8 @@ namespace {
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
 void append(std::vector<TimedPhone>& segments, const TimedPhone& segment) {
-  const bool continues_rest = segment.phone == Phone::Rest && !segments.empty() &&
-                              segments.back().phone == Phone::Rest;
+  const bool continues_rest =
+      segment.phone == Phone::Rest && !segments.empty() && segments.back().phone == Phone::Rest;
   if (continues_rest) {
     segments.back().duration += segment.duration;
   } else {
