@@ -155,9 +155,10 @@ void Festival::serve() {
 void Festival::start() {
   const auto start_up_file = std::filesystem::path{festival_datadir} / "init.scm";
   if (!std::filesystem::exists(start_up_file)) {
-    throw Error{fmt::format("cannot start Festival: '{}' is missing; install the Debian packages"
-                            " festival, festlex-cmu and festlex-poslex",
-                            start_up_file.string())};
+    throw Error{
+        fmt::format("cannot start Festival: '{}' is missing; install the Debian packages"
+                    " festival, festlex-cmu and festlex-poslex",
+                    start_up_file.string())};
   }
   const CapturedStreams captured;
   festival_initialize(0, kHeapCells);
@@ -167,8 +168,8 @@ void Festival::start() {
                      evaluates("(load (path-append datadir \"init.scm\"))") && evaluates(kOwnAh) &&
                      evaluates(fmt::format("(set! {} nil)", kText));
   if (!ready) {
-    throw Error{fmt::format("cannot start Festival from '{}': {}", start_up_file.string(),
-                            captured.text())};
+    throw Error{fmt::format(
+        "cannot start Festival from '{}': {}", start_up_file.string(), captured.text())};
   }
 }
 

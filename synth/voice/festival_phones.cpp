@@ -13,14 +13,16 @@ struct Entry {
 };
 
 constexpr std::array<Entry, kPhoneCount> kSymbols{{
-    {Phone::Rest, "pau"}, {Phone::P, "p"},   {Phone::B, "b"},   {Phone::M, "m"},   {Phone::W, "w"},
-    {Phone::WH, "w"},     {Phone::F, "f"},   {Phone::V, "v"},   {Phone::TH, "th"}, {Phone::DH, "dh"},
-    {Phone::T, "t"},      {Phone::D, "d"},   {Phone::N, "n"},   {Phone::S, "s"},   {Phone::Z, "z"},
-    {Phone::L, "l"},      {Phone::R, "r"},   {Phone::SH, "sh"}, {Phone::ZH, "zh"}, {Phone::CH, "ch"},
-    {Phone::JH, "jh"},    {Phone::Y, "y"},   {Phone::K, "k"},   {Phone::G, "g"},   {Phone::NG, "ng"},
-    {Phone::HH, "hh"},    {Phone::IY, "iy"}, {Phone::IH, "ih"}, {Phone::EY, "ey"}, {Phone::EH, "eh"},
-    {Phone::AE, "ae"},    {Phone::AA, "aa"}, {Phone::AH, "ah"}, {Phone::AX, "ax"}, {Phone::ER, "er"},
-    {Phone::AO, "ao"},    {Phone::OW, "ow"}, {Phone::UH, "uh"}, {Phone::UW, "uw"}, {Phone::AY, "ay"},
+    {Phone::Rest, "pau"}, {Phone::P, "p"},   {Phone::B, "b"},   {Phone::M, "m"},
+    {Phone::W, "w"},      {Phone::WH, "w"},  {Phone::F, "f"},   {Phone::V, "v"},
+    {Phone::TH, "th"},    {Phone::DH, "dh"}, {Phone::T, "t"},   {Phone::D, "d"},
+    {Phone::N, "n"},      {Phone::S, "s"},   {Phone::Z, "z"},   {Phone::L, "l"},
+    {Phone::R, "r"},      {Phone::SH, "sh"}, {Phone::ZH, "zh"}, {Phone::CH, "ch"},
+    {Phone::JH, "jh"},    {Phone::Y, "y"},   {Phone::K, "k"},   {Phone::G, "g"},
+    {Phone::NG, "ng"},    {Phone::HH, "hh"}, {Phone::IY, "iy"}, {Phone::IH, "ih"},
+    {Phone::EY, "ey"},    {Phone::EH, "eh"}, {Phone::AE, "ae"}, {Phone::AA, "aa"},
+    {Phone::AH, "ah"},    {Phone::AX, "ax"}, {Phone::ER, "er"}, {Phone::AO, "ao"},
+    {Phone::OW, "ow"},    {Phone::UH, "uh"}, {Phone::UW, "uw"}, {Phone::AY, "ay"},
     {Phone::AW, "aw"},    {Phone::OY, "oy"},
 }};
 

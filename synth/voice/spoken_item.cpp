@@ -31,11 +31,12 @@ Utterance labelled(const FestivalSpeech& speech) {
     const auto phones = phones_from_festival(segment.symbol);
     const Duration end = from_seconds(segment.end_s);
     if (phones.empty() || end <= start) {
-      throw Error{fmt::format("Festival gave the segment '{}' ending at {} s after {} s, which is not"
-                              " a phone of English with a duration",
-                              segment.symbol,
-                              segment.end_s,
-                              std::chrono::duration<double>{start}.count())};
+      throw Error{
+          fmt::format("Festival gave the segment '{}' ending at {} s after {} s, which is not"
+                      " a phone of English with a duration",
+                      segment.symbol,
+                      segment.end_s,
+                      std::chrono::duration<double>{start}.count())};
     }
     const Duration part = (end - start) / static_cast<Duration::rep>(phones.size());
     for (const Phone phone : phones) {
@@ -57,17 +58,16 @@ void rename(Utterance& utterance,
             const FestivalSpeech& speech,
             std::span<const Phone> pronunciation) {
   auto& phones = utterance.phones;
-  const bool same_length = phones.size() == speech.segments.size() &&
-                           phones.size() == pronunciation.size() + 2;
+  const bool same_length =
+      phones.size() == speech.segments.size() && phones.size() == pronunciation.size() + 2;
   bool same = same_length;
   for (std::size_t i = 0; same && i < pronunciation.size(); ++i) {
     same = realises(speech.segments[i + 1].symbol, pronunciation[i]);
     phones[i + 1].phone = pronunciation[i];
   }
   if (!same) {
-    throw Error{fmt::format("Festival was asked to say '{}' and said '{}'",
-                            spell(pronunciation),
-                            symbols_of(speech))};
+    throw Error{fmt::format(
+        "Festival was asked to say '{}' and said '{}'", spell(pronunciation), symbols_of(speech))};
   }
 }
 
@@ -86,9 +86,10 @@ SpokenItem spoken_item(const FestivalSpeech& speech, std::span<const Phone> pron
   const Duration end = item.sound.duration();
   if (phones.size() < 3 || !is_rest(phones.front()) || !is_rest(phones.back()) ||
       phones.back().start >= end) {
-    throw Error{fmt::format("Festival's segments '{}' do not have speech between two pauses within"
-                            " its sound",
-                            symbols_of(speech))};
+    throw Error{
+        fmt::format("Festival's segments '{}' do not have speech between two pauses within"
+                    " its sound",
+                    symbols_of(speech))};
   }
   phones.back().duration = end - phones.back().start;
   if (!pronunciation.empty()) rename(item.utterance, speech, pronunciation);

@@ -39,9 +39,10 @@ void must_be_speakable(std::string_view word) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
   };
   if (std::ranges::all_of(word, is_printable) && std::ranges::any_of(word, is_read)) return;
-  throw Error{fmt::format("Festival cannot read '{}', which is not a word in ASCII letters; give its"
-                          " pronunciation",
-                          word)};
+  throw Error{
+      fmt::format("Festival cannot read '{}', which is not a word in ASCII letters; give its"
+                  " pronunciation",
+                  word)};
 }
 
 }  // namespace

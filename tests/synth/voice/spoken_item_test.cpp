@@ -38,8 +38,10 @@ TEST(SpokenItem, ExtendsTheLastRestToTheEndOfTheSound) {
 TEST(SpokenItem, HalvesASyllabicConsonant) {
   const auto item =
       spoken_item(speech_of({{"pau", 0.2}, {"b", 0.3}, {"el", 0.5}, {"pau", 1.0}}), {});
-  EXPECT_EQ(item.utterance.phones.at(2), (TimedPhone{.phone = AX, .start = 300ms, .duration = 100ms}));
-  EXPECT_EQ(item.utterance.phones.at(3), (TimedPhone{.phone = L, .start = 400ms, .duration = 100ms}));
+  EXPECT_EQ(item.utterance.phones.at(2),
+            (TimedPhone{.phone = AX, .start = 300ms, .duration = 100ms}));
+  EXPECT_EQ(item.utterance.phones.at(3),
+            (TimedPhone{.phone = L, .start = 400ms, .duration = 100ms}));
 }
 
 TEST(SpokenItem, NamesAReductionAsItWasAsked) {
@@ -76,10 +78,10 @@ TEST(FestivalPhones, GiveEveryPhoneButWhBack) {
 
 TEST(FestivalPhones, CoverEverySymbolOfTheRadioSet) {
   for (const auto* const symbol :
-       {"aa", "ae", "ah", "ao", "aw", "ax", "axr", "ay", "b",  "ch", "d",  "dh", "dx", "eh", "el", "em",
-        "en", "er", "ey", "f",  "g",  "hh", "hv",  "ih", "iy", "jh", "k",  "l",  "m",  "n",  "nx", "ng",
-        "ow", "oy", "p",  "r",  "s",  "sh", "t",   "th", "uh", "uw", "v",  "w",  "y",  "z",  "zh", "pau",
-        "h#", "brth"}) {
+       {"aa", "ae", "ah", "ao", "aw", "ax", "axr", "ay", "b",   "ch", "d",   "dh", "dx",
+        "eh", "el", "em", "en", "er", "ey", "f",   "g",  "hh",  "hv", "ih",  "iy", "jh",
+        "k",  "l",  "m",  "n",  "nx", "ng", "ow",  "oy", "p",   "r",  "s",   "sh", "t",
+        "th", "uh", "uw", "v",  "w",  "y",  "z",   "zh", "pau", "h#", "brth"}) {
     EXPECT_FALSE(phones_from_festival(symbol).empty()) << symbol;
   }
   EXPECT_TRUE(phones_from_festival("x").empty());
