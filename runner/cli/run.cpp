@@ -120,9 +120,11 @@ void report_outcome(const SessionOutcome& outcome,
              outcome.trials,
              plan.size(),
              data);
-  fmt::print(outcome.flagged == 0 ? "; timing as planned in all\n"
-                                  : "; timing flagged in {}, see table event\n",
-             outcome.flagged);
+  if (outcome.flagged == 0) {
+    fmt::print("; timing as planned in all\n");
+  } else {
+    fmt::print("; timing flagged in {}, see table event\n", outcome.flagged);
+  }
 }
 
 void refuse_what_nobody_could_answer(const RunOptions& options) {
