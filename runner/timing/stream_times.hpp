@@ -24,8 +24,8 @@ struct TimeSourceVerdict {
 };
 
 /// Whether the host's stream times can be believed: finite, not zero, not constant, the output 0 to
-/// 2 s ahead of the host's now, and both clocks proceeding with the samples to 2 % (and 5 ms).
-/// Needs at least 16 readings spanning 20 ms.
+/// 2 s ahead of the host's now, and both proceeding with the session clock to 2 % (and 5 ms).
+/// Needs at least 16 readings spanning 20 ms of samples.
 [[nodiscard]] TimeSourceVerdict judge_stream_times(std::span<const CallbackTimes> readings,
                                                    Hertz nominal_rate);
 

@@ -50,14 +50,24 @@ TEST(StreamTimes, AreNotBelievedIfNowAndOutputDisagree) {
   EXPECT_EQ(reason(times), "now and output do not share an origin");
 }
 
-TEST(StreamTimes, AreNotBelievedIfTheyDoNotProceedWithTheSamples) {
+TEST(StreamTimes, AreNotBelievedIfTheyDoNotProceedWithTheSessionClock) {
   auto times = readings(0.0);
   for (auto& t : times) {
     t.output = t.current + 0.010 + 0.2 * static_cast<double>(t.sample) / 48'000;
   }
-  EXPECT_EQ(reason(times), "stream time does not proceed with the samples");
+  EXPECT_EQ(reason(times), "stream time does not proceed with the session clock");
   times.at(40).output = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(reason(times), "the host gives no numbers");
+}
+
+TEST(StreamTimes, AreBelievedWhenUnderflowsHoldUpTheSamples) {
+  auto times = readings(3.0);
+  for (std::size_t i = 32; i < times.size(); ++i) {
+    times.at(i).entry += std::chrono::milliseconds{80};
+    times.at(i).current += 0.080;
+    times.at(i).output += 0.080;
+  }
+  EXPECT_EQ(reason(times), "plausible");
 }
 
 TEST(StreamTimes, AreNotBelievedOnTooLittleEvidence) {
