@@ -120,7 +120,7 @@ ExitCode render(const RenderOptions& options) {
   const auto& spoken = bank.item(
       "festival:" + options.voice, {.spelling = options.word, .phones = pronunciation(options)});
   if (!options.sound.empty()) {
-    write_wav(spoken.sound, options.sound);
+    write_wav(options.sound, spoken.sound);
     fmt::print("{}: spoken by {}\n", options.sound, options.voice);
   }
   if (options.strip.empty() && options.frames.empty()) return ExitCode::Done;

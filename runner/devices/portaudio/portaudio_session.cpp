@@ -81,6 +81,10 @@ const AudioDevice& choose_device(const std::vector<AudioDevice>& devices,
                     kRemedy)};
   }
   if (wanted.empty()) {
+    // Where a JACK server runs it is meant: PortAudio would take ALSA's detour to the same server.
+    const auto jack = std::ranges::find_if(
+        devices, [](const AudioDevice& device) { return device.host.starts_with("JACK"); });
+    if (jack != devices.end()) return *jack;
     const auto chosen = std::ranges::find(devices, true, &AudioDevice::is_default);
     return chosen != devices.end() ? *chosen : devices.front();
   }
