@@ -36,7 +36,7 @@ struct Noise {
 
 struct Sound {
   Hertz rate{48'000};
-  Decibels speech_level{-26.0};  ///< RMS of the speech interval, dB re full scale; constant
+  Decibels speech_level{-30.0};  ///< RMS of the speech interval, dB re full scale; constant
   Noise noise;
 };
 

@@ -231,7 +231,7 @@ void read_sound(ObjectReader& parent, Sound& sound, Findings& findings) {
   const auto rate = reader->whole("rate_hz", {8'000, 192'000, "samples per second, e.g. 48000"});
   if (rate) sound.rate = Hertz{static_cast<double>(*rate)};
   const auto level = reader->number(
-      "speech_level_dbfs", {-80, 0, "the RMS level of the speech in dB re full scale, e.g. -26"});
+      "speech_level_dbfs", {-80, 0, "the RMS level of the speech in dB re full scale, e.g. -30"});
   if (level) sound.speech_level = Decibels{*level};
   read_noise(*reader, sound.noise, findings);
   reader->refuse_unknown_keys();
