@@ -4,15 +4,17 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace bimodal::synth {
 
 namespace {
 
-constexpr int kLeastContrast = 10;        // of 255; less is not seen as a staircase
-constexpr int kLeastPartOfBrightest = 8;  // contrast below an eighth of the brightest is texture
-constexpr int kLongestSearch = 12;        // pixels along an edge, each way
-constexpr float kSpeckWeight = 0.6F;      // how much a single odd pixel is mixed with its surround
+constexpr std::uint8_t kLeastContrast = 10;  // of 255; less is not seen as a staircase
+constexpr std::uint8_t kLeastPartOfBrightest =
+    8;                                // contrast below an eighth of the brightest is texture
+constexpr int kLongestSearch = 12;    // pixels along an edge, each way
+constexpr float kSpeckWeight = 0.6F;  // how much a single odd pixel is mixed with its surround
 constexpr std::size_t kBytesPerPixel = 4;
 
 void fill_luma(const Image& picture, std::vector<std::uint8_t>& luma) {
@@ -24,16 +26,26 @@ void fill_luma(const Image& picture, std::vector<std::uint8_t>& luma) {
   }
 }
 
+/// Flags with 1 where brightness jumps in one row, not at its ends. Written so that the compiler
+/// handles 16 or 32 pixels at a time: nearly all pixels have no edge.
+void flag_edges(const std::uint8_t* luma, std::size_t width, std::uint8_t* flags) {
+  const std::uint8_t* above = luma - width;
+  const std::uint8_t* below = luma + width;
+  for (std::size_t x = 1; x + 1 < width; ++x) {
+    const std::uint8_t across_most = std::max(luma[x - 1], luma[x + 1]);
+    const std::uint8_t across_least = std::min(luma[x - 1], luma[x + 1]);
+    const std::uint8_t most = std::max({across_most, luma[x], above[x], below[x]});
+    const std::uint8_t least = std::min({across_least, luma[x], above[x], below[x]});
+    const auto contrast = static_cast<std::uint8_t>(most - least);
+    const auto texture = static_cast<std::uint8_t>(most / kLeastPartOfBrightest);
+    flags[x] = contrast >= std::max(kLeastContrast, texture) ? 1 : 0;
+  }
+}
+
 /// The brightness of a pixel and its neighbours, and what FXAA concludes from them.
 class EdgePixel {
  public:
   EdgePixel(const std::uint8_t* luma, std::ptrdiff_t stride) : at_{luma}, stride_{stride} {}
-
-  [[nodiscard]] bool has_edge() const {
-    const auto [least, most] =
-        std::minmax({luma(0, 0), luma(1, 0), luma(-1, 0), luma(0, 1), luma(0, -1)});
-    return most - least >= std::max(kLeastContrast, most / kLeastPartOfBrightest);
-  }
 
   struct Mix {
     std::ptrdiff_t neighbour;  // in pixels from here
@@ -120,23 +132,31 @@ void EdgeSmoothing::apply(const Image& raw, Image& smooth) {
   smooth = raw;
   const auto width = static_cast<std::ptrdiff_t>(raw.width);
   const auto height = static_cast<std::ptrdiff_t>(raw.height);
+  flags_.assign(raw.width, 0);
   for (std::ptrdiff_t y = 1; y + 1 < height; ++y) {
-    for (std::ptrdiff_t x = 1; x + 1 < width; ++x) {
-      const std::ptrdiff_t here = y * width + x;
-      const EdgePixel pixel{luma_.data() + here, width};
-      if (!pixel.has_edge()) continue;
+    flag_edges(luma_.data() + y * width, raw.width, flags_.data());
+    auto found = std::find(flags_.begin(), flags_.end(), 1);
+    for (; found != flags_.end(); found = std::find(found + 1, flags_.end(), 1)) {
+      const std::ptrdiff_t x = found - flags_.begin();
       const std::ptrdiff_t room = std::min({x, width - 1 - x, y, height - 1 - y});
-      const auto [neighbour, weight] =
-          pixel.mix(static_cast<int>(std::min<std::ptrdiff_t>(room, kLongestSearch)));
-      const std::size_t own = static_cast<std::size_t>(here) * kBytesPerPixel;
-      const std::size_t other = static_cast<std::size_t>(here + neighbour) * kBytesPerPixel;
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        const auto value = static_cast<float>(raw.pixels[own + channel]);
-        const float difference = static_cast<float>(raw.pixels[other + channel]) - value;
-        smooth.pixels[own + channel] =
-            static_cast<std::uint8_t>(std::lround(value + weight * difference));
-      }
+      smooth_pixel(raw, y * width + x, static_cast<int>(room), smooth);
     }
+  }
+}
+
+void EdgeSmoothing::smooth_pixel(const Image& raw,
+                                 std::ptrdiff_t here,
+                                 int room,
+                                 Image& smooth) const {
+  const EdgePixel pixel{luma_.data() + here, static_cast<std::ptrdiff_t>(raw.width)};
+  const auto [neighbour, weight] = pixel.mix(room);
+  const std::size_t own = static_cast<std::size_t>(here) * kBytesPerPixel;
+  const std::size_t other = static_cast<std::size_t>(here + neighbour) * kBytesPerPixel;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const auto value = static_cast<float>(raw.pixels[own + channel]);
+    const float difference = static_cast<float>(raw.pixels[other + channel]) - value;
+    smooth.pixels[own + channel] =
+        static_cast<std::uint8_t>(std::lround(value + weight * difference));
   }
 }
 
