@@ -9,19 +9,21 @@ namespace bimodal::synth {
 
 namespace {
 
-constexpr float kDistance = 1100.0F;      // mm, from the head's centre
-constexpr float kHeadCentreZ = 12.0F;     // mm before the ear canals; the axis of the camera's turn
-constexpr float kHalfDepth = 300.0F;      // mm, what lies before and behind the centre
+constexpr float kDistance = 1100.0F;   // mm, from the head's centre
+constexpr float kHeadCentreZ = 12.0F;  // mm before the ear canals; the axis of the camera's turn
+constexpr float kHalfDepth = 300.0F;   // mm, what lies before and behind the centre
 
 }  // namespace
 
-Camera camera_for(const View& view) {
+glm::vec3 towards_camera(const View& view) {
   const auto yaw = static_cast<float>(glm::radians(view.yaw_deg));
   const auto pitch = static_cast<float>(glm::radians(view.pitch_deg));
+  return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+}
+
+Camera camera_for(const View& view) {
   const glm::vec3 centre{0.0F, static_cast<float>(view.centre_y_mm), kHeadCentreZ};
-  const glm::vec3 towards_camera{
-      std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
-  const glm::vec3 position = centre + kDistance * towards_camera;
+  const glm::vec3 position = centre + kDistance * towards_camera(view);
   const glm::mat4 camera_from_world = glm::lookAt(position, centre, glm::vec3{0.0F, 1.0F, 0.0F});
 
   const float near = kDistance - kHalfDepth;

@@ -14,6 +14,9 @@ struct Camera {
   glm::vec3 position;         ///< mm, in the head's coordinates
 };
 
+/// From the head's centre, unit length.
+[[nodiscard]] glm::vec3 towards_camera(const View& view);
+
 [[nodiscard]] Camera camera_for(const View& view);
 
 }  // namespace bimodal::synth

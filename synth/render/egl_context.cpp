@@ -47,8 +47,7 @@ std::vector<Candidate> displays_in_order_of_preference() {
     if (knows("EGL_MESA_platform_surfaceless")) {
       candidates.push_back(
           {"Mesa's surfaceless platform",
-           eglGetPlatformDisplayEXT(
-               EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+           eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
     }
     if (knows("EGL_EXT_platform_device") && knows("EGL_EXT_device_enumeration")) {
       add_devices(candidates);
@@ -77,9 +76,8 @@ EglContext::EglContext() {
     if (failure.empty()) return;
     tried += fmt::format("\n  {}: {}", candidate.name, failure);
   }
-  throw Error{fmt::format("cannot draw the head: no OpenGL 3.3 by EGL; {}. Tried:{}",
-                          kRemedy,
-                          tried)};
+  throw Error{
+      fmt::format("cannot draw the head: no OpenGL 3.3 by EGL; {}. Tried:{}", kRemedy, tried)};
 }
 
 /// Empty if the context now exists on `candidate`, else what went wrong.
@@ -127,8 +125,9 @@ EglContext::Current::Current(const EglContext& context)
       read_before_{eglGetCurrentSurface(EGL_READ)} {
   eglBindAPI(EGL_OPENGL_API);
   if (eglMakeCurrent(context.display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context_) == 0) {
-    throw Error{fmt::format("cannot draw the head: {}; a renderer belongs to the thread that made it",
-                            egl_failure("eglMakeCurrent"))};
+    throw Error{
+        fmt::format("cannot draw the head: {}; a renderer belongs to the thread that made it",
+                    egl_failure("eglMakeCurrent"))};
   }
 }
 

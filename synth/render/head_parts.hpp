@@ -14,20 +14,21 @@
 namespace bimodal::synth {
 
 /// What is drawn by one program, in the order of drawing: what hides the rest comes first, the
-/// transparent cornea last.
+/// transparent ones last.
 enum class HeadPart : std::uint8_t {
   Skin,
   Lips,
   Brow,
   Hair,
   Eye,
+  MouthWall,
   Tooth,
   Gum,
   Tongue,
   Lash,
-  Cornea
+  Cornea,
 };
-inline constexpr std::size_t kHeadPartCount = 10;
+inline constexpr std::size_t kHeadPartCount = 11;
 
 /// How a part takes light.
 struct PartLook {
@@ -37,19 +38,24 @@ struct PartLook {
   float sky_floor;     ///< 0..1: light from around that reaches it in spite of what covers it
   float shadow_floor;  ///< 0..1: key light that reaches it in spite of what covers it
   float softness;      ///< 1 like skin, 0 like wood: how far light creeps round the form
-  glm::vec3 exponents_and_grain;  ///< mouth parts: broad and sharp highlight, roughness of colour
+  float exponent;      ///< mouth parts: of the broad highlight
+  float grain;         ///< mouth parts: roughness of colour
 };
 
 /// One row per part, in the order of the enumeration.
 [[nodiscard]] std::span<const PartLook, kHeadPartCount> part_looks();
 
-/// The triangles of all surfaces, sorted by part; vertices are numbered through all surfaces.
-struct SortedTriangles {
-  std::array<std::vector<std::uint32_t>, kHeadPartCount> indices;
+/// The triangles worth drawing of one part; vertices are numbered through all surfaces.
+struct PartTriangles {
+  std::vector<std::uint32_t> near;  ///< those that the camera may see while the head looks ahead
+  std::vector<std::uint32_t> far;   ///< those that it can see only when the head turns
 };
 
-/// `paints`: one per surface.
-[[nodiscard]] SortedTriangles sort_by_part(std::span<const SurfaceDescription> surfaces,
-                                           std::span<const std::vector<VertexPaint>> paints);
+/// One per part. `paints`: one per surface; `towards_camera`: unit vector.
+[[nodiscard]] std::array<PartTriangles, kHeadPartCount> sort_by_part(
+    std::span<const SurfaceDescription> surfaces,
+    std::span<const std::vector<VertexPaint>> paints,
+    const PosedHead& resting,
+    const glm::vec3& towards_camera);
 
 }  // namespace bimodal::synth

@@ -47,7 +47,7 @@ void renew(GLuint buffer, std::size_t bytes) {
 }  // namespace
 
 MeshBuffers::MeshBuffers(std::span<const SurfaceDescription> surfaces,
-                         const SortedTriangles& triangles)
+                         std::span<const PartTriangles, kHeadPartCount> triangles)
     : positions_{new_buffer()}, normals_{new_buffer()}, fixed_{new_buffer()} {
   for (const SurfaceDescription& surface : surfaces) {
     surface_sizes_.push_back(surface.rest_positions.size());
@@ -55,9 +55,10 @@ MeshBuffers::MeshBuffers(std::span<const SurfaceDescription> surfaces,
   }
   std::vector<std::uint32_t> indices;
   for (std::size_t part = 0; part < kHeadPartCount; ++part) {
-    const auto& own = triangles.indices.at(part);
-    ranges_.at(part) = {indices.size(), own.size()};
-    indices.insert(indices.end(), own.begin(), own.end());
+    const PartTriangles& own = triangles[part];
+    ranges_.at(part) = {indices.size(), own.near.size(), own.near.size() + own.far.size()};
+    indices.insert(indices.end(), own.near.begin(), own.near.end());
+    indices.insert(indices.end(), own.far.begin(), own.far.end());
   }
 
   glGenVertexArrays(1, &vertex_array_);
@@ -105,12 +106,13 @@ void MeshBuffers::move_to(const PosedHead& posed) const {
   send(normals_, &SurfaceGeometry::normals);
 }
 
-void MeshBuffers::draw(HeadPart part) const {
+void MeshBuffers::draw(HeadPart part, Side side) const {
   const Range& range = ranges_.at(static_cast<std::size_t>(part));
-  if (range.count == 0) return;
+  const std::size_t count = side == Side::Near ? range.near_count : range.count;
+  if (count == 0) return;
   glBindVertexArray(vertex_array_);
   glDrawElements(GL_TRIANGLES,
-                 static_cast<GLsizei>(range.count),
+                 static_cast<GLsizei>(count),
                  GL_UNSIGNED_INT,
                  reinterpret_cast<const void*>(  // NOLINT(performance-no-int-to-ptr)
                      range.first * sizeof(std::uint32_t)));

@@ -28,7 +28,8 @@ struct FixedVertex {
 /// live as long as the context that is current at construction.
 class MeshBuffers {
  public:
-  MeshBuffers(std::span<const SurfaceDescription> surfaces, const SortedTriangles& triangles);
+  MeshBuffers(std::span<const SurfaceDescription> surfaces,
+              std::span<const PartTriangles, kHeadPartCount> triangles);
 
   /// One per vertex, through all surfaces; sent once.
   void fix(std::span<const FixedVertex> vertices) const;
@@ -36,14 +37,17 @@ class MeshBuffers {
   /// `posed` has as many surfaces and vertices as the descriptions (asserted).
   void move_to(const PosedHead& posed) const;
 
+  enum class Side : std::uint8_t { Near, Both };
+
   /// Draws the triangles of one part with the program in use.
-  void draw(HeadPart part) const;
+  void draw(HeadPart part, Side side) const;
 
   [[nodiscard]] std::size_t vertex_count() const { return vertex_count_; }
 
  private:
   struct Range {
     std::size_t first = 0;
+    std::size_t near_count = 0;
     std::size_t count = 0;
   };
 

@@ -15,9 +15,9 @@ namespace bimodal::synth {
 namespace {
 
 constexpr int kSkyDirections = 48;
-constexpr int kSkyMapSize = 320;         // texels; 1.2 mm each
-constexpr int kLightMapSize = 1024;      // 0.36 mm
-constexpr float kHalfExtent = 185.0F;    // mm seen from the centre
+constexpr int kSkyMapSize = 320;       // texels; 1.2 mm each
+constexpr int kLightMapSize = 1024;    // 0.36 mm
+constexpr float kHalfExtent = 185.0F;  // mm seen from the centre
 constexpr glm::vec3 kCentre{0.0F, -20.0F, 10.0F};
 constexpr float kGoldenAngle = 2.39996323F;  // radians; spreads points evenly round a sphere
 
@@ -38,8 +38,7 @@ class DepthMaps {
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, size, size);
     glGenFramebuffers(1, &framebuffer_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glFramebufferRenderbuffer(
-        GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffer_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffer_);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
   }
@@ -60,22 +59,20 @@ class DepthMaps {
         std::abs(towards.y) > 0.95F ? glm::vec3{0.0F, 0.0F, 1.0F} : glm::vec3{0.0F, 1.0F, 0.0F};
     const glm::mat4 light_from_world = glm::lookAt(kCentre + kHalfExtent * towards, kCentre, up);
     clip_from_world_ =
-        glm::ortho(
-            -kHalfExtent, kHalfExtent, -kHalfExtent, kHalfExtent, 0.0F, 2.0F * kHalfExtent) *
+        glm::ortho(-kHalfExtent, kHalfExtent, -kHalfExtent, kHalfExtent, 0.0F, 2.0F * kHalfExtent) *
         light_from_world;
     glViewport(0, 0, size_, size_);
     glClear(GL_DEPTH_BUFFER_BIT);
     program_.use();
     program_.set("clip_from_world", clip_from_world_);
-    for (const HeadPart part : kCasters) mesh_.draw(part);
+    for (const HeadPart part : kCasters) mesh_.draw(part, MeshBuffers::Side::Both);
     glReadPixels(0, 0, size_, size_, GL_DEPTH_COMPONENT, GL_FLOAT, depths_.data());
   }
 
   /// 0..1, the weighted part of the four nearest texels that nothing nearer covers.
   [[nodiscard]] float visible(glm::vec3 point, float bias) const {
-    const glm::vec3 in_map =
-        (glm::vec3{clip_from_world_ * glm::vec4{point, 1.0F}} * 0.5F + 0.5F) *
-        glm::vec3{static_cast<float>(size_), static_cast<float>(size_), 1.0F};
+    const glm::vec3 in_map = (glm::vec3{clip_from_world_ * glm::vec4{point, 1.0F}} * 0.5F + 0.5F) *
+                             glm::vec3{static_cast<float>(size_), static_cast<float>(size_), 1.0F};
     const float depth = in_map.z - bias / (2.0F * kHalfExtent);
     const float left = std::floor(in_map.x - 0.5F);
     const float bottom = std::floor(in_map.y - 0.5F);
@@ -94,6 +91,7 @@ class DepthMaps {
                                        HeadPart::Brow,
                                        HeadPart::Hair,
                                        HeadPart::Eye,
+                                       HeadPart::MouthWall,
                                        HeadPart::Tooth,
                                        HeadPart::Gum,
                                        HeadPart::Tongue};
@@ -166,8 +164,8 @@ void bake_light(const PosedHead& resting,
     float sum = 0.0F;
     for (int row = -2; row <= 2; ++row) {
       for (int column = -2; column <= 2; ++column) {
-        const glm::vec3 off = 0.5F * spread_mm *
-                              (static_cast<float>(column) * right + static_cast<float>(row) * up);
+        const glm::vec3 off =
+            0.5F * spread_mm * (static_cast<float>(column) * right + static_cast<float>(row) * up);
         sum += maps.visible(lifted(surface, own, kLift) + off, kBias);
       }
     }
@@ -175,14 +173,49 @@ void bake_light(const PosedHead& resting,
   });
 }
 
+/// Each vertex moves half the way to the mean of its neighbours, some times.
+void spread_shadows(std::span<const std::uint32_t> triangles, std::vector<Exposure>& baked) {
+  constexpr int kTimes = 3;
+
+  struct Sum {
+    float key = 0.0F;
+    float fill = 0.0F;
+    float count = 0.0F;
+  };
+
+  std::vector<Sum> sums(baked.size());
+  for (int time = 0; time < kTimes; ++time) {
+    std::ranges::fill(sums, Sum{});
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+      const Exposure& neighbour = baked[triangles[next]];
+      Sum& sum = sums[triangles[i]];
+      sum.key += neighbour.key;
+      sum.fill += neighbour.fill;
+      sum.count += 1.0F;
+    }
+    for (std::size_t v = 0; v < baked.size(); ++v) {
+      if (sums[v].count == 0.0F) continue;
+      baked[v].key = 0.5F * (baked[v].key + sums[v].key / sums[v].count);
+      baked[v].fill = 0.5F * (baked[v].fill + sums[v].fill / sums[v].count);
+    }
+  }
+}
+
 }  // namespace
 
-std::vector<Exposure> exposure_at_rest(const PosedHead& resting, const MeshBuffers& mesh) {
+std::vector<Exposure> exposure_at_rest(const PosedHead& resting,
+                                       const MeshBuffers& mesh,
+                                       std::span<const PartTriangles, kHeadPartCount> drawn) {
   std::vector<Exposure> baked(mesh.vertex_count());
   bake_sky(resting, mesh, baked);
   DepthMaps maps{mesh, kLightMapSize};
   bake_light(resting, maps, kKeyDirection, 1.6F, &Exposure::key, baked);
   bake_light(resting, maps, kFillDirection, 2.5F, &Exposure::fill, baked);
+  const PartTriangles& skin = drawn[static_cast<std::size_t>(HeadPart::Skin)];
+  std::vector<std::uint32_t> triangles = skin.near;
+  triangles.insert(triangles.end(), skin.far.begin(), skin.far.end());
+  spread_shadows(triangles, baked);
   return baked;
 }
 

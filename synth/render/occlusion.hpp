@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "synth/face/surface.hpp"
@@ -15,9 +16,12 @@ struct Exposure {
 };
 
 /// One per vertex, through all surfaces, from depth maps of the head seen from 48 directions of the
-/// sky and from both lights. `mesh` must stand at `resting`. Changes the current framebuffer and
-/// viewport.
-[[nodiscard]] std::vector<Exposure> exposure_at_rest(const PosedHead& resting,
-                                                     const MeshBuffers& mesh);
+/// sky and from both lights; the lights' shadows are then spread over neighbouring vertices of
+/// `drawn`, so that no edge of a shadow is sharper than the mesh can show. `mesh` must stand at
+/// `resting`. Changes the current framebuffer and viewport.
+[[nodiscard]] std::vector<Exposure> exposure_at_rest(
+    const PosedHead& resting,
+    const MeshBuffers& mesh,
+    std::span<const PartTriangles, kHeadPartCount> drawn);
 
 }  // namespace bimodal::synth

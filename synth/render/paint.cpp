@@ -32,7 +32,8 @@ float clamp01(float x) {
   return std::clamp(x, 0.0F, 1.0F);
 }
 
-// The middle line of the subject's left brow in the rest pose, from the nose outward: y and half width, mm.
+// The middle line of the subject's left brow in the rest pose, from the nose outward: y and half
+// width, mm.
 
 constexpr float kBrowStart = 11.0F;  // mm from the midline; points stand 4 mm apart in x
 constexpr float kBrowStep = 4.0F;
@@ -75,12 +76,6 @@ vec3 brow_coordinates(vec3 rest) {
                    mix(kBrowHeightAndHalfWidth.at(i).y, kBrowHeightAndHalfWidth.at(i + 1).y, t)};
   }
   return coordinates;
-}
-
-/// Whether hair of the brow can stand there.
-bool on_brow(vec3 brow) {
-  constexpr float kBeyond = 0.2F;  // part of the brow's length, past its ends
-  return std::abs(brow.y) < kBrowReach && brow.x > -kBeyond && brow.x < 1.0F + kBeyond;
 }
 
 /// Redness of cheeks, nose, chin and philtrum.
@@ -132,18 +127,29 @@ VertexPaint paint_vertex(const SurfaceDescription& surface, std::size_t vertex) 
   const vec3 rest = surface.rest_positions[vertex];
   const float special = surface.special.empty() ? 0.0F : surface.special[vertex];
   switch (surface.material) {
-    case Material::Skin: return paint_skin(rest, special);
-    case Material::Tooth: return paint_tooth(rest, special);
-    case Material::Gum: return paint_gum(rest);
-    case Material::Tongue: return paint_tongue(rest);
-    case Material::Lash: return {linear(38, 28, 24), {0.02F, 0.0F}, {}};
+    case Material::Skin:
+      return paint_skin(rest, special);
+    case Material::Tooth:
+      return paint_tooth(rest, special);
+    case Material::Gum:
+      return paint_gum(rest);
+    case Material::Tongue:
+      return paint_tongue(rest);
+    case Material::Lash:
+      return {linear(38, 28, 24), {0.02F, 0.0F}, {}};
     case Material::Eye:
-    case Material::Cornea: break;  // painted per pixel
+    case Material::Cornea:
+      break;  // painted per pixel
   }
   return {};
 }
 
 }  // namespace
+
+bool on_brow(glm::vec3 brow) {
+  constexpr float kBeyond = 0.2F;  // part of the brow's length, past its ends
+  return std::abs(brow.y) < kBrowReach && brow.x > -kBeyond && brow.x < 1.0F + kBeyond;
+}
 
 std::vector<VertexPaint> paint(const SurfaceDescription& surface) {
   std::vector<VertexPaint> painted;
@@ -156,15 +162,15 @@ std::vector<VertexPaint> paint(const SurfaceDescription& surface) {
 
 SkinDetail skin_detail(const SurfaceDescription& surface,
                        const std::vector<VertexPaint>& paint,
-                       const std::uint32_t* triangle) {
-  constexpr float kFaintestLip = 0.2F;    // skin.frag's border begins at 0.33 -/+ noise
+                       std::span<const std::uint32_t, 3> triangle) {
+  constexpr float kFaintestLip = 0.2F;  // skin.frag's border begins at 0.33 -/+ noise
+  constexpr float kMouthWall = 2.95F;   // farther in than where the lips touch
   constexpr float kFaintestHair = 0.02F;
-  const auto any = [triangle](auto&& has) {
-    return std::any_of(triangle, triangle + 3, [&has](std::uint32_t v) { return has(v); });
-  };
-  if (any([&](std::uint32_t v) { return surface.lip[v] > kFaintestLip || surface.wet[v] > 0.0F; })) {
-    return SkinDetail::Lips;
-  }
+  const auto any = [triangle](auto&& has) { return std::ranges::any_of(triangle, has); };
+  const bool is_wall =
+      std::ranges::all_of(triangle, [&](std::uint32_t v) { return surface.lip[v] > kMouthWall; });
+  if (is_wall) return SkinDetail::MouthWall;
+  if (any([&](std::uint32_t v) { return surface.lip[v] > kFaintestLip; })) return SkinDetail::Lips;
   if (any([&](std::uint32_t v) { return on_brow(paint[v].brow); })) {
     return SkinDetail::Brow;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -21,12 +22,15 @@ struct VertexPaint {
 /// One for each vertex of `surface`. Colours are fixed functions of the rest position.
 [[nodiscard]] std::vector<VertexPaint> paint(const SurfaceDescription& surface);
 
+/// Whether hair of the brow can stand at VertexPaint::brow.
+[[nodiscard]] bool on_brow(glm::vec3 brow);
+
 /// Which of skin.frag's details a skin triangle needs; most need none.
-enum class SkinDetail : std::uint8_t { None, Lips, Brow, Hair };
+enum class SkinDetail : std::uint8_t { None, Lips, MouthWall, Brow, Hair };
 
 /// For the triangle of these three vertices.
 [[nodiscard]] SkinDetail skin_detail(const SurfaceDescription& surface,
                                      const std::vector<VertexPaint>& paint,
-                                     const std::uint32_t* triangle);
+                                     std::span<const std::uint32_t, 3> triangle);
 
 }  // namespace bimodal::synth

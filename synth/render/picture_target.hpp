@@ -2,28 +2,28 @@
 
 #include <epoxy/gl.h>
 
+#include "synth/render/edge_smoothing.hpp"
 #include "synth/render/image.hpp"
 
 namespace bimodal::synth {
 
-/// Where a picture is drawn: sRGB colour and depth with 4 samples a pixel, and the plain picture
-/// that they are averaged into (in linear light). Lives as long as the context that is current at
+/// Where a picture is drawn: sRGB colour and depth. Lives as long as the context that is current at
 /// construction.
 class PictureTarget {
  public:
+  /// Throws Error if OpenGL cannot draw pictures of that size.
   PictureTarget(std::size_t width, std::size_t height);
 
   /// What is drawn from now on goes into an empty picture.
   void begin() const;
 
-  /// Averages the samples and copies them out; `image` keeps its memory.
-  void read_into(Image& image) const;
+  /// Copies the picture out, its edges smoothed; `image` keeps its memory.
+  void read_into(Image& image);
 
  private:
-  std::size_t width_;
-  std::size_t height_;
-  GLuint samples_ = 0;  // framebuffers
-  GLuint picture_ = 0;
+  GLuint framebuffer_ = 0;
+  Image raw_;
+  EdgeSmoothing smoothing_;
 };
 
 }  // namespace bimodal::synth

@@ -24,6 +24,7 @@ namespace {
 
 std::vector<std::vector<VertexPaint>> paint_all(std::span<const SurfaceDescription> surfaces) {
   std::vector<std::vector<VertexPaint>> paints;
+  std::array<PartTriangles, kHeadPartCount> triangles;
   paints.reserve(surfaces.size());
   std::ranges::transform(surfaces, std::back_inserter(paints), paint);
   return paints;
@@ -33,8 +34,8 @@ std::vector<Program> compile_parts() {
   std::vector<Program> programs;
   programs.reserve(kHeadPartCount);
   for (const PartLook& look : part_looks()) {
-    programs.emplace_back(ShaderSource{
-        {"head.vert"}, {"noise.glsl", "surface.glsl", look.shader}, look.definition});
+    programs.emplace_back(
+        ShaderSource{{"head.vert"}, {"noise.glsl", "surface.glsl", look.shader}, look.definition});
   }
   return programs;
 }
@@ -48,13 +49,17 @@ float inside_mouth(const SurfaceDescription& surface, std::size_t vertex) {
   switch (surface.material) {
     case Material::Tooth:
     case Material::Gum:
-    case Material::Tongue: return 1.0F;
-    case Material::Skin: break;
-    default: return 0.0F;
+    case Material::Tongue:
+      return 1.0F;
+    case Material::Skin:
+      break;
+    default:
+      return 0.0F;
   }
   constexpr float kFullestLip = 1.0F;    // lip mask where the lips are thickest
   constexpr float kContactStrip = 2.6F;  // where they touch each other
-  return glm::clamp((surface.lip[vertex] - kFullestLip) / (kContactStrip - kFullestLip), 0.0F, 1.0F);
+  return glm::clamp(
+      (surface.lip[vertex] - kFullestLip) / (kContactStrip - kFullestLip), 0.0F, 1.0F);
 }
 
 std::vector<FixedVertex> fixed_vertices(std::span<const SurfaceDescription> surfaces,
@@ -70,19 +75,25 @@ std::vector<FixedVertex> fixed_vertices(std::span<const SurfaceDescription> surf
     for (std::size_t i = 0; i < surface.rest_positions.size(); ++i) {
       const VertexPaint& paint = paints[s][i];
       const Exposure& exposure = exposures[vertices.size()];
-      vertices.push_back(
-          {surface.rest_positions[i],
-           paint.albedo,
-           {exposure.sky, exposure.key, exposure.fill, inside_mouth(surface, i)},
-           {mask(surface.lip, i),
-            mask(surface.wet, i),
-            mask(surface.scalp, i),
-            mask(surface.special, i)},
-           paint.brow,
-           paint.gloss});
+      vertices.push_back({surface.rest_positions[i],
+                          paint.albedo,
+                          {exposure.sky, exposure.key, exposure.fill, inside_mouth(surface, i)},
+                          {mask(surface.lip, i),
+                           mask(surface.wet, i),
+                           mask(surface.scalp, i),
+                           mask(surface.special, i)},
+                          paint.brow,
+                          paint.gloss});
     }
   }
   return vertices;
+}
+
+/// Whether the head is turned by at most 12 degrees from straight ahead.
+bool looks_ahead(const glm::mat3& head_axes) {
+  constexpr float kCosine = 0.978F;
+  const float cosine_of_turn = 0.5F * (head_axes[0].x + head_axes[1].y + head_axes[2].z - 1.0F);
+  return cosine_of_turn > kCosine;
 }
 
 void check_for_errors(const char* deed) {
@@ -99,6 +110,7 @@ struct SurfaceRenderer::Stage {
   void draw_head(const PosedHead& posed, const glm::mat3& head_axes) const;
 
   std::vector<std::vector<VertexPaint>> paints;
+  std::array<PartTriangles, kHeadPartCount> triangles;
   MeshBuffers mesh;
   std::vector<Program> programs;  // one per HeadPart
   Program backdrop;
@@ -109,7 +121,8 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
                               const PosedHead& resting,
                               const View& view)
     : paints{paint_all(surfaces)},
-      mesh{surfaces, sort_by_part(surfaces, paints)},
+      triangles{sort_by_part(surfaces, paints, resting, towards_camera(view))},
+      mesh{surfaces, triangles},
       programs{compile_parts()},
       backdrop{ShaderSource{{"backdrop.vert"}, {"backdrop.frag"}}},
       target{view.width, view.height} {
@@ -117,7 +130,7 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_CULL_FACE);
   mesh.move_to(resting);
-  const std::vector<Exposure> exposures = exposure_at_rest(resting, mesh);
+  const std::vector<Exposure> exposures = exposure_at_rest(resting, mesh, triangles);
   mesh.fix(fixed_vertices(surfaces, paints, exposures));
 
   const Camera camera = camera_for(view);
@@ -131,7 +144,8 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
     program.set("sky_floor", look.sky_floor);
     program.set("shadow_floor", look.shadow_floor);
     program.set("softness", look.softness);
-    program.set("exponents_and_grain", look.exponents_and_grain);
+    program.set("exponent", look.exponent);
+    program.set("grain", look.grain);
   }
   backdrop.use();
   backdrop.set("centre_colour", linear(view.backdrop.centre));
@@ -142,27 +156,30 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
 
 void SurfaceRenderer::Stage::draw_head(const PosedHead& posed, const glm::mat3& head_axes) const {
   const LipMeasures& lips = posed.lips;
-  const glm::vec3 opening{0.5 * lips.inner_width_mm, 0.5 * lips.inner_height_mm, lips.inner_area_mm2};
+  const glm::vec3 opening{
+      0.5 * lips.inner_width_mm, 0.5 * lips.inner_height_mm, lips.inner_area_mm2};
+  const auto side = looks_ahead(head_axes) ? MeshBuffers::Side::Near : MeshBuffers::Side::Both;
   const auto draw_part = [&](HeadPart part) {
     const Program& program = programs.at(static_cast<std::size_t>(part));
     program.use();
     program.set("head_axes", head_axes);
     program.set("mouth_centre", lips.inner_centre);
     program.set("mouth_opening", opening);
-    mesh.draw(part);
+    mesh.draw(part, side);
   };
   using enum HeadPart;
   mesh.move_to(posed);
   glFrontFace(GL_CW);  // the camera's y axis points down
-  for (const HeadPart part : {Skin, Lips, Brow, Hair, Eye, Tooth, Gum, Tongue}) draw_part(part);
+  for (const HeadPart part : {Skin, Lips, Brow, Hair, Eye}) draw_part(part);
+  if (lips.inner_area_mm2 > 0.0) {
+    for (const HeadPart part : {MouthWall, Tooth, Gum, Tongue}) draw_part(part);
+  }
   glDisable(GL_CULL_FACE);
-  draw_part(Lash);
-  glEnable(GL_CULL_FACE);
-  glFrontFace(GL_CCW);
   backdrop.use();
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glFrontFace(GL_CW);
   glEnable(GL_BLEND);
+  draw_part(Lash);
+  glEnable(GL_CULL_FACE);
   draw_part(Cornea);
   glDisable(GL_BLEND);
   glFrontFace(GL_CCW);
@@ -177,9 +194,7 @@ SurfaceRenderer::SurfaceRenderer(std::span<const SurfaceDescription> surfaces,
 
 SurfaceRenderer::~SurfaceRenderer() = default;
 
-void SurfaceRenderer::draw(const PosedHead& posed,
-                           const glm::mat3& head_axes,
-                           Image& image) const {
+void SurfaceRenderer::draw(const PosedHead& posed, const glm::mat3& head_axes, Image& image) {
   const EglContext::Current current{context_};
   stage_->target.begin();
   stage_->draw_head(posed, head_axes);
@@ -188,9 +203,7 @@ void SurfaceRenderer::draw(const PosedHead& posed,
 
 std::string SurfaceRenderer::description() const {
   const EglContext::Current current{context_};
-  const auto text = [](GLenum name) {
-    return reinterpret_cast<const char*>(glGetString(name));
-  };
+  const auto text = [](GLenum name) { return reinterpret_cast<const char*>(glGetString(name)); };
   return fmt::format("{}, OpenGL {}", text(GL_RENDERER), text(GL_VERSION));
 }
 

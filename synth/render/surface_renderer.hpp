@@ -28,8 +28,9 @@ class SurfaceRenderer {
   SurfaceRenderer(SurfaceRenderer&&) = delete;
   SurfaceRenderer& operator=(SurfaceRenderer&&) = delete;
 
-  /// `head_axes`: columns are the head's left, up and forward in the room. `image` keeps its memory.
-  void draw(const PosedHead& posed, const glm::mat3& head_axes, Image& image) const;
+  /// `head_axes`: columns are the head's left, up and forward in the room. `image` keeps its
+  /// memory.
+  void draw(const PosedHead& posed, const glm::mat3& head_axes, Image& image);
 
   /// GL_RENDERER and GL_VERSION.
   [[nodiscard]] std::string description() const;

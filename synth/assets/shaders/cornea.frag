@@ -1,5 +1,8 @@
 // The clear shell before the iris: only what it mirrors, the key light as a window.
 
+uniform vec3 camera;
+uniform vec3 fill_direction;
+
 // 1 where the mirrored direction meets a rectangle of half angles `size` (tangents) round a light.
 float window(vec3 mirrored, vec3 light, vec2 size) {
   vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), light));

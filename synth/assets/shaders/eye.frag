@@ -38,5 +38,5 @@ void main() {
                     smoothstep(kIris - 1.3, kIris + 1.3, angle));
   albedo = mix(srgb(8.0, 7.0, 8.0), albedo, smoothstep(kPupil - 1.0, kPupil + 1.0, angle));
   albedo *= 1.0 - 0.45 * smoothstep(0.10, 0.40, direction.y);   // shadow of the upper lid
-  colour = vec4(lit(albedo, normalize(v_normal), vec2(0.0), vec2(16.0)), 1.0);
+  colour = vec4(lit(albedo, normalize(v_normal), vec2(0.0), 16.0), 1.0);
 }

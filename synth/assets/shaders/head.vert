@@ -12,6 +12,7 @@ layout(location = 6) in vec3 brow;    // as in VertexPaint
 layout(location = 7) in vec2 gloss;   // as in VertexPaint
 
 uniform mat4 clip_from_world;
+uniform vec3 camera;
 uniform vec3 key_direction;   // towards the light
 uniform vec3 fill_direction;
 
@@ -32,7 +33,8 @@ out vec3 v_key;               // colour of the key light that arrives here
 out vec2 v_gloss;
 out vec4 v_masks;
 out vec3 v_brow;
-out float v_open;             // open sky, 0..1
+out vec3 v_half;              // between the key light and the camera
+out float v_sheen;            // highlights that are broad enough for the vertices
 
 const vec3 kKeyColour = vec3(2.15, 2.03, 1.90);
 const vec3 kFillColour = vec3(0.68, 0.64, 0.62);   // warm: a blue fill makes hollows look dirty
@@ -41,6 +43,9 @@ const vec3 kSkyColour = vec3(0.72, 0.69, 0.67);
 const vec3 kGroundColour = vec3(0.27, 0.20, 0.17);
 const vec3 kRimLeft = vec3(0.666, 0.400, -0.622);
 const vec3 kRimRight = vec3(-0.724, 0.272, -0.634);
+const float kFillExponent = 16.0;
+const float kFillSheen = 0.25 * (kFillExponent + 2.0) / 8.0;
+const float kGrazingSheen = 0.08;
 const float kPi = 3.14159265;
 
 // Part of the sky's light that comes through the lips: the form factor of the opening as a disc of
@@ -90,7 +95,14 @@ void main() {
   v_around = sky + kFillColour * filled + kRimColour * rim * open;
   v_key = kKeyColour *
           vec3(pow(key, 1.0 - 0.35 * softness), key, pow(key, 1.0 + 0.15 * softness));
-  v_open = open;
+
+  vec3 to_camera = normalize(camera - position);
+  float grazing = 1.0 - clamp(dot(normal, to_camera), 0.0, 1.0);
+  float mirrored = max(dot(normal, normalize(fill_direction + to_camera)), 1e-3);
+  v_half = normalize(key_direction + to_camera);
+  v_sheen = open * (kFillSheen * gloss.x * pow(mirrored, kFillExponent) +
+                    kGrazingSheen * softness * pow(grazing, 4.0));
+
   v_position = position;
   v_normal = normal;
   v_rest = rest;

@@ -1,3 +1,8 @@
+// Lashes are thinner than a pixel, so one that is drawn covers only a part of it.
+
+const float kCover = 0.55;
+
 void main() {
-  colour = vec4(toned(v_albedo * (v_around + 0.4 * v_key) * kExposure), 1.0);
+  vec3 light = v_around + 0.4 * v_key;
+  colour = vec4(toned(v_albedo * light * kExposure) * kCover, kCover);   // premultiplied
 }

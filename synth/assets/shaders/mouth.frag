@@ -1,8 +1,9 @@
 // Teeth, gums and tongue.
 
-uniform vec3 exponents_and_grain;   // of the two highlights; how rough the colour is
+uniform float exponent;   // of the broad highlight
+uniform float grain;      // how rough the colour is
 
 void main() {
-  float grain = 1.0 + exponents_and_grain.z * (noise(v_rest * 1.6) - 0.5);
-  colour = vec4(lit(v_albedo * grain, normalize(v_normal), v_gloss, exponents_and_grain.xy), 1.0);
+  float rough = 1.0 + grain * (noise(v_rest * 1.6) - 0.5);
+  colour = vec4(lit(v_albedo * rough, normalize(v_normal), v_gloss, exponent), 1.0);
 }

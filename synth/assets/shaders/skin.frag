@@ -1,11 +1,12 @@
 // Skin, with one of LIPS, BROW, HAIR where the triangle has some of it.
 
-const vec2 kSkinExponents = vec2(16.0, 56.0);
+const float kSkinExponent = 16.0;
 
 #ifdef LIPS
-const vec2 kLipExponents = vec2(26.0, 91.0);
+const float kLipExponent = 26.0;
 
-vec4 lips(inout vec3 albedo, inout vec2 gloss) {
+// Returns the exponent of the highlight.
+float lips(inout vec3 albedo, inout vec2 gloss) {
   float lip = v_masks.x;
   float creases = noise(vec2(v_rest.x * 1.15, v_rest.y * 0.16), 3) - 0.5;
   float border = smoothstep(0.33, 0.62, lip + 0.1 * creases * (1.0 - min(lip, 1.0)));
@@ -15,7 +16,7 @@ vec4 lips(inout vec3 albedo, inout vec2 gloss) {
   albedo = mix(albedo, srgb(164.0, 74.0, 72.0), 0.9 * smoothstep(1.6, 2.4, lip));
   albedo = mix(albedo, srgb(134.0, 58.0, 56.0), smoothstep(0.05, 0.6, v_masks.y));
   gloss += vec2(0.05, 0.04) * border;
-  return vec4(mix(kSkinExponents, kLipExponents, border), border, creases);
+  return mix(kSkinExponent, kLipExponent, border);
 }
 #endif
 
@@ -53,10 +54,9 @@ void hair(inout vec3 albedo, inout vec2 gloss) {
 void main() {
   vec3 albedo = v_albedo;
   vec2 gloss = v_gloss;
-  vec2 exponents = kSkinExponents;
-  vec3 normal = normalize(v_normal);
+  float exponent = kSkinExponent;
 #ifdef LIPS
-  exponents = lips(albedo, gloss).xy;
+  exponent = lips(albedo, gloss);
 #endif
 #ifdef BROW
   brow(albedo, gloss);
@@ -64,5 +64,5 @@ void main() {
 #ifdef HAIR
   hair(albedo, gloss);
 #endif
-  colour = vec4(lit(albedo, normal, gloss, exponents), 1.0);
+  colour = vec4(lit(albedo, normalize(v_normal), gloss, exponent), 1.0);
 }

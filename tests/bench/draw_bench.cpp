@@ -1,0 +1,42 @@
+#include <benchmark/benchmark.h>
+
+#include "stimuli/base/asset.hpp"
+#include "synth/render/head_renderer.hpp"
+
+namespace bimodal::synth {
+namespace {
+
+/// One frame of an open mouth, posed, drawn and read back; state.range(0) pixels high.
+void draw_head(benchmark::State& state) {
+  const Head head{asset("synth/assets/head")};
+  View view;
+  view.height = static_cast<std::size_t>(state.range(0));
+  view.width = view.height * 8 / 9;
+  HeadRenderer renderer{head, view};
+  state.SetLabel(renderer.description());
+  Pose pose = neutral_pose();
+  Image image;
+  double jaw_deg = 0.0;
+  for (auto _ : state) {
+    jaw_deg = jaw_deg < 12.0 ? jaw_deg + 0.5 : 0.0;
+    value(pose, Control::Jaw) = jaw_deg;
+    renderer.draw(pose, image);
+    benchmark::DoNotOptimize(image.pixels.data());
+  }
+}
+
+BENCHMARK(draw_head)->Arg(360)->Arg(720)->Arg(1080)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// What every renderer costs before its first frame.
+void make_renderer(benchmark::State& state) {
+  const Head head{asset("synth/assets/head")};
+  for (auto _ : state) {
+    HeadRenderer renderer{head, View{}};
+    benchmark::DoNotOptimize(&renderer);
+  }
+}
+
+BENCHMARK(make_renderer)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace bimodal::synth
