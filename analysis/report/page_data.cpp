@@ -139,12 +139,12 @@ is taken. Where equally good alignments disagree about a phone, that phone is <i
 out of its matrix, with its count in the caption. All phones of a correct word are correct.</dd>
 <dt>Units</dt><dd>Initial consonant: the first phone, if a consonant (in a cluster, its first). Vowel:
 the first. Final consonant: the last phone, if a consonant.</dd>
-<dt>Intervals</dt><dd>95 %. Pooled: crossed bootstrap. Participants and words are drawn anew with
+<dt>Intervals</dt><dd>95&#160;%. Pooled: crossed bootstrap. Participants and words are drawn anew with
 replacement, independently, {} times (seed {}); a cell counts as often as its participant times its
 word was drawn; percentiles of the proportions. It errs on the wide side (Owen, 2007, <i>Annals of
 Applied Statistics 1</i>, 386&#8211;411): in simulated experiments of 20 participants, 60 words and three
-conditions it held the true value in 98 % of 300, where an interval for independent trials (Wilson) held
-it in 77 %. One participant: Wilson&#8217;s score interval, which speaks of that participant only.
+conditions it held the true value in 98&#160;% of 300, where an interval for independent trials (Wilson) held
+it in 77&#160;%. One participant: Wilson&#8217;s score interval, which speaks of that participant only.
 No interval is given where every answer, or none, was correct.</dd>
 </dl>
 )",

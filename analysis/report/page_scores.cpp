@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -190,7 +191,7 @@ std::string part_of_confusions(const Results& results) {
         title(table.unit),
         escaped(table.condition),
         total == 0 ? std::string{"No responses."}
-                   : fmt::format("{:.1f} % correct ({} of {}, all columns counted).",
+                   : fmt::format("{:.1f}&#160;% correct ({} of {}, all columns counted).",
                                  100.0 * static_cast<double>(table.matrix.correct()) /
                                      static_cast<double>(total),
                                  table.matrix.correct(),
