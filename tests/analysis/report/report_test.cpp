@@ -134,8 +134,8 @@ TEST(ReportPage, IsWholeWithoutAnythingElse) {
   }
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(page, '\0')), 0U);
   std::size_t matrices = 0;
-  for (auto at = page.find("<svg class=\"matrix\""); at != std::string::npos;
-       at = page.find("<svg class=\"matrix\"", at + 1)) {
+  for (auto at = page.find("<svg class='matrix'"); at != std::string::npos;
+       at = page.find("<svg class='matrix'", at + 1)) {
     ++matrices;
   }
   EXPECT_EQ(matrices, kUnits.size() * results.conditions.size());
@@ -251,7 +251,7 @@ TEST(MatrixText, AlignsProportionsAndSaysWhatIsLeftOut) {
             "       B  .75   .25       4\n"
             "      NA                  0\n\n"
             "Correct: 3 of 4 (75.0 %).\n"
-            "Not in the table: 2 ambiguous alignments, 1 words without this unit.\n");
+            "Not in the table: ambiguous alignments 2, words without this unit 1.\n");
 }
 
 TEST(PrintProportion, HasNoLeadingZero) {
