@@ -162,15 +162,32 @@ std::string remedy_for(const Complaint& complaint) {
   }
   if (says("unexpected string literal; expected")) return "a comma is missing before it";
   if (says("unexpected end of input")) return "a closing bracket or quotation mark is missing";
-  if (says("invalid literal") && says("'/")) return "JSON has no comments: remove it";
+  if (says("invalid literal")) {
+    if (complaint.last_token.ends_with('/')) return "JSON has no comments: remove it";
+    if (complaint.last_token.ends_with('\'')) return "put texts in double quotation marks";
+    return "put texts and keys in double quotation marks";
+  }
+  if (says("control character")) return "close the text, or write \\n for a line break within it";
   if (says("number overflow")) return "give a number that a double can hold";
   return "mend it there or just before";
+}
+
+/// Where an unexpected text or number begins; of anything else, the last byte that was read.
+std::size_t first_byte(const Complaint& complaint, std::string_view text) {
+  const std::size_t end = std::min(complaint.byte, text.size());
+  const std::size_t length = complaint.last_token.size();
+  const bool is_literal = complaint.message.find("literal; expected") != std::string::npos ||
+                          complaint.message.find("overflow") != std::string::npos;
+  if (is_literal && length <= end && text.substr(end - length, length) == complaint.last_token) {
+    return end - length;
+  }
+  return complaint.byte > 0 ? complaint.byte - 1 : 0;
 }
 
 TextFault fault_of_syntax(std::string_view text) {
   Complaint complaint;
   Json::sax_parse(text, &complaint);
-  const std::size_t byte = complaint.byte > 0 ? complaint.byte - 1 : 0;
+  const std::size_t byte = first_byte(complaint, text);
   const TextPosition position = position_of(text, byte);
   const bool overflow = complaint.message.find("number overflow") != std::string::npos;
   auto finding =

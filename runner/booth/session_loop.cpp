@@ -54,9 +54,7 @@ class SessionLoop {
 
   /// False if the session is to be stopped.
   bool show_page(const PageStep& page) {
-    Screen screen;
-    screen.captions = {{.text = page.text, .centre_y = 0.42, .size = 0.035},
-                       {.text = "Press Enter to go on.", .centre_y = 0.86, .size = 0.025}};
+    Screen screen = page_screen(page.text);
     if (page.is_break) {
       screen.progress = page.progress;
       parts_.announce("break");
@@ -212,6 +210,13 @@ class SessionLoop {
 };
 
 }  // namespace
+
+Screen page_screen(std::string text) {
+  Screen screen;
+  screen.captions = {{.text = std::move(text), .centre_y = 0.42, .size = 0.035},
+                     {.text = "Press Enter to go on.", .centre_y = 0.86, .size = 0.025}};
+  return screen;
+}
 
 SessionOutcome run_session(const SessionParts& parts) {
   SessionLoop loop{parts};

@@ -41,6 +41,9 @@ struct SessionParts {
   std::function<void(std::string_view)> announce = [](std::string_view) {};
 };
 
+/// A page of text that waits for Enter, as the participant sees it.
+[[nodiscard]] Screen page_screen(std::string text);
+
 /// Runs one session from the first page to the last: `run` and `rehearse` differ only in the parts
 /// they put in. Every trial is committed before the next begins. Throws StoreError if data cannot be
 /// kept (the participant then sees a neutral screen), Error if a trial cannot be prepared.

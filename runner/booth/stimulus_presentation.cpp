@@ -64,19 +64,21 @@ class StimulusLoop {
 
  private:
   Instant show(std::int64_t index) {
-    const auto frame = trial_.frames > 0 ? cues_.frame_at(index) : std::nullopt;
+    const auto due = cues_.frame_at(index);
+    const bool shows_frame = trial_.frames > 0 && due.has_value();
+    const std::int64_t frame = due.value_or(trial_.frames - 1);
     screen_.fixation = trial_.frames == 0;
     screen_.picture = nullptr;
     if (trial_.film && trial_.frames > 0) {
-      picture_ = picture_of(*trial_.film, frame.value_or(trial_.frames - 1));
+      picture_ = picture_of(*trial_.film, frame);
       screen_.picture = &picture_;
     }
     const Instant planned = cues_.refresh(index);
     const auto presented = booth_.display.present(screen_, planned);
     source_ = presented.source;
     if (presented.lateness > booth_.display.refresh().period / 2) ++missed_;
-    if (frame) {
-      record_.refreshes.frame.push_back(*frame);
+    if (shows_frame) {
+      record_.refreshes.frame.push_back(frame);
       record_.refreshes.planned.push_back(since_zero(planned));
       record_.refreshes.shown.push_back(since_zero(presented.onset));
       if (!zero_shown_ && planned >= cues_.visual_zero()) zero_shown_ = presented.onset;

@@ -87,7 +87,11 @@ ExitCode check(const std::string& named) {
   print_summary(*read, plan.size());
   if (has_errors(found)) return ExitCode::InvalidInput;
   const auto warnings = read->diagnostics.size() + found.size();
-  fmt::print(warnings == 0 ? "no mistakes found\n" : "usable, with {} warning(s)\n", warnings);
+  if (warnings == 0) {
+    fmt::print("no mistakes found\n");
+  } else {
+    fmt::print("usable, with {} warning(s)\n", warnings);
+  }
   return warnings == 0 ? ExitCode::Done : ExitCode::Findings;
 }
 

@@ -8,7 +8,7 @@ namespace bimodal::runner {
 namespace {
 
 ExitCode list_devices(bool only_ask_for_sound) {
-  const auto sounds = PortAudioOutput::devices();
+  const auto sounds = describe_audio_devices();
   if (only_ask_for_sound) return sounds.empty() ? ExitCode::Findings : ExitCode::Done;
   if (sounds.empty()) {
     fmt::print("no sound device was found; use `run --audio none`, or start a sound server\n");

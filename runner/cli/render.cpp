@@ -120,12 +120,11 @@ ExitCode render(const RenderOptions& options) {
   const auto& spoken = bank.item(
       "festival:" + options.voice, {.spelling = options.word, .phones = pronunciation(options)});
   if (!options.sound.empty()) {
-    write_wav(spoken.sound, options.sound);
+    write_wav(options.sound, spoken.sound);
     fmt::print("{}: spoken by {}\n", options.sound, options.voice);
   }
   if (options.strip.empty() && options.frames.empty()) return ExitCode::Done;
-  const auto segments =
-      synth::read_segment_table(asset("synth/assets/segments/english.json"));
+  const synth::SegmentTable segments{asset("synth/assets/segments/english.json")};
   const synth::Articulation articulation{spoken.utterance, segments};
   const synth::Head head{asset("synth/assets/head")};
   synth::HeadRenderer renderer{head, view_of(options)};

@@ -59,13 +59,20 @@ SdlWindow::Options window_options(const protocols::Protocol& protocol, bool wind
           .background = {channel(16), channel(8), channel(0)}};
 }
 
-Devices open_devices(const protocols::Protocol& protocol, const RunOptions& options) {
-  Devices devices;
+/// What is on the screen while the display is measured: the first page, so that nobody waits for it.
+Screen opening_screen(const protocols::Protocol& protocol) {
+  return protocol.instructions.empty() ? Screen{} : page_screen(protocol.instructions.front());
+}
+
+std::unique_ptr<Devices> open_devices(const protocols::Protocol& protocol,
+                                      const RunOptions& options) {
+  auto opened = std::make_unique<Devices>();
+  auto& devices = *opened;
   if (options.display == "headless") {
     devices.display = std::make_unique<HeadlessDisplay>();
   } else {
     devices.window = std::make_unique<SdlWindow>(window_options(protocol, options.windowed));
-    devices.display = std::make_unique<SdlDisplay>(*devices.window);
+    devices.display = std::make_unique<SdlDisplay>(*devices.window, opening_screen(protocol));
   }
   if (options.answers == "simulated" || !devices.window) {
     devices.keyboard = std::make_unique<SimulatedKeyboard>(devices.clock);
@@ -75,10 +82,10 @@ Devices open_devices(const protocols::Protocol& protocol, const RunOptions& opti
   if (options.audio == "none") {
     devices.audio = std::make_unique<SilentAudio>(devices.clock, protocol.sound.rate);
   } else {
-    devices.audio = std::make_unique<PortAudioOutput>(PortAudioOutput::Options{
+    devices.audio = std::make_unique<PortaudioOutput>(PortaudioOptions{
         .device = options.audio == "default" ? "" : options.audio, .rate = protocol.sound.rate});
   }
-  return devices;
+  return opened;
 }
 
 /// Prepares on the queue's thread: first every sound of the session is made and judged, then trial
@@ -115,9 +122,11 @@ void report_outcome(const SessionOutcome& outcome,
              outcome.trials,
              plan.size(),
              data);
-  fmt::print(outcome.flagged == 0 ? "; timing as planned in all\n"
-                                  : "; timing flagged in {}, see table event\n",
-             outcome.flagged);
+  if (outcome.flagged == 0) {
+    fmt::print("; timing as planned in all\n");
+  } else {
+    fmt::print("; timing flagged in {}, see table event\n", outcome.flagged);
+  }
 }
 
 void refuse_what_nobody_could_answer(const RunOptions& options) {
@@ -150,22 +159,22 @@ ExitCode run(const RunOptions& options) {
   if (options.audio == "none") fmt::print("no audio: nothing is heard\n");
 
   SpeechBank bank{protocol.sound.rate};
-  const auto drawing_rate = drawing_rate_for(devices.display->refresh().period);
+  const auto drawing_rate = drawing_rate_for(devices->display->refresh().period);
   PreparationQueue queue{
       plan, [&] { return make_prepare(protocol, plan, bank, drawing_rate); }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     auto record = session_record(*read, options.participant, key);
     record.simulated_answers = simulated;
     record.observer = simulated ? observer_name() : "";
-    record.display = record_of(*devices.display);
-    record.audio = record_of(*devices.audio);
+    record.display = record_of(*devices->display);
+    record.audio = record_of(*devices->audio);
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
     const auto id = store->begin(record, plan_records(protocol, plan));
     if (options.trials || options.no_practice) {
       store->add(id,
-                 EventRecord{.at = devices.clock.now().time_since_epoch(),
+                 EventRecord{.at = devices->clock.now().time_since_epoch(),
                              .kind = "shortened",
                              .detail = fmt::format("{} trials by --trials or --no-practice",
                                                    plan.size())});
@@ -175,7 +184,7 @@ ExitCode run(const RunOptions& options) {
   const auto outcome = run_session(
       {.protocol = protocol,
        .plan = plan,
-       .booth = {devices.clock, *devices.display, *devices.keyboard, *devices.audio},
+       .booth = {devices->clock, *devices->display, *devices->keyboard, *devices->audio},
        .trials = queue,
        .store = writer,
        .begin = begin,

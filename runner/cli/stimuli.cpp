@@ -50,7 +50,7 @@ ExitCode mix_trial(const MixOptions& options) {
   }
   const auto clipping = clipping_message(trial, condition, *mixed);
   if (!clipping.empty()) throw Error{clipping};
-  write_wav(mixed->sound, options.output);
+  write_wav(options.output, mixed->sound);
   fmt::print("{}: trial {}, \"{}\" ({}), condition \"{}\"\n",
              options.output,
              options.trial,

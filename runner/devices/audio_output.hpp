@@ -17,14 +17,21 @@ struct Sound {
   std::shared_ptr<const std::vector<float>> samples;
 };
 
+/// To the nearest nanosecond.
+[[nodiscard]] Duration duration(const Sound& sound);
+
+/// Throws Error if the sound has no samples or another rate than the output.
+void require_playable(const Sound& sound, Hertz output_rate);
+
 /// What became of the last scheduled sound.
 struct Playback {
   std::optional<Instant>
       onset;  ///< first sample at the output, on the session clock; absent: not yet
   std::int64_t start_sample = 0;  ///< stream sample at which it started
-  std::string_view source;        ///< "stream_time", "callback_time", "predicted"
-  bool finished = false;
-  std::int64_t underflows = 0;  ///< during this sound
+  std::string_view source;        ///< "stream_time", "callback_time", "predicted", "none"
+  bool finished = false;          ///< or stopped, or none was scheduled, or the device is lost
+  bool lost = false;              ///< the device has stopped asking for samples
+  std::int64_t underflows = 0;    ///< during this sound
 };
 
 /// One always-open stream into which sounds are placed at computed samples. Used by one thread; the

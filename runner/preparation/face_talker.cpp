@@ -7,6 +7,13 @@ namespace bimodal::runner {
 
 namespace {
 
+synth::Backdrop plain(std::uint32_t background) {
+  const synth::Colour colour{static_cast<std::uint8_t>((background >> 16U) & 0xffU),
+                             static_cast<std::uint8_t>((background >> 8U) & 0xffU),
+                             static_cast<std::uint8_t>(background & 0xffU)};
+  return {.centre = colour, .edge = colour};
+}
+
 class TalkingFace final : public FrameSource {
  public:
   TalkingFace(synth::HeadRenderer& renderer, synth::Articulation articulation)
@@ -25,8 +32,9 @@ class TalkingFace final : public FrameSource {
 
 FaceTalker::FaceTalker(std::size_t height, std::uint32_t background)
     : head_{asset("synth/assets/head")},
-      segments_{synth::read_segment_table(asset("synth/assets/segments/english.json"))},
-      renderer_{head_, {.width = height * 8 / 9, .height = height, .background = background}} {}
+      segments_{asset("synth/assets/segments/english.json")},
+      renderer_{head_,
+                {.width = height * 8 / 9, .height = height, .backdrop = plain(background)}} {}
 
 std::unique_ptr<FrameSource> FaceTalker::say(const Utterance& utterance) {
   return std::make_unique<TalkingFace>(renderer_, synth::Articulation{utterance, segments_});

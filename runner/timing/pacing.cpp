@@ -12,4 +12,15 @@ RefreshPlan plan_refresh(const RefreshEstimate& grid, Instant now, Instant deadl
   return {.target = target, .submit = target - grid.period + grid.period / 8};
 }
 
+SwapOnset onset_of_swap(const RefreshEstimate& grid, const RefreshPlan& plan, Instant returned) {
+  if (returned < plan.target - grid.period / 4) return {.onset = plan.target, .seen = false};
+  return {.onset = returned, .seen = true};
+}
+
+bool swap_waits(std::span<const Duration> intervals, Duration nominal_period) {
+  const auto short_ones = std::ranges::count_if(
+      intervals, [&](Duration interval) { return 2 * interval < nominal_period; });
+  return 4 * static_cast<std::size_t>(short_ones) <= intervals.size();
+}
+
 }  // namespace bimodal::runner

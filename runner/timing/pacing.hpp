@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "runner/timing/refresh_estimate.hpp"
 #include "stimuli/base/quantity.hpp"
 
@@ -17,10 +19,22 @@ struct RefreshPlan {
 /// jitter lets it slip into that earlier refresh. With an unknown period: at once.
 [[nodiscard]] RefreshPlan plan_refresh(const RefreshEstimate& grid, Instant now, Instant deadline);
 
-/// Whether a swap that takes `median_interval` in a loop waits for the screen at all. Real screens
-/// need 2 ms (480 Hz) or more; a driver that only copies returns in a fraction of that.
-[[nodiscard]] constexpr bool swap_waits(Duration median_interval) {
-  return median_interval >= std::chrono::milliseconds{2};
-}
+/// When a screen appeared, and whether that was seen or only follows from the plan.
+struct SwapOnset {
+  Instant onset;
+  bool seen = false;
+};
+
+/// Reads the instant at which a swap planned by `plan` returned. A driver with room for one more
+/// picture returns before the refresh: then the target is the best that is known. Within a quarter
+/// of a period before the target, or later, the swap is taken to have waited for its refresh.
+[[nodiscard]] SwapOnset onset_of_swap(const RefreshEstimate& grid,
+                                      const RefreshPlan& plan,
+                                      Instant returned);
+
+/// Whether `intervals` between the returns of swaps in a loop show that the swap waits for a screen
+/// whose nominal period is given: at most a quarter of them shorter than half of it. (A driver that
+/// only copies returns after as long as copying takes, which grows with the load of the machine.)
+[[nodiscard]] bool swap_waits(std::span<const Duration> intervals, Duration nominal_period);
 
 }  // namespace bimodal::runner

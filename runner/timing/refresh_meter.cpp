@@ -12,8 +12,9 @@ constexpr double kTolerance = 0.2;        ///< of a period, from a whole multipl
 constexpr double kNormalPerMad = 1.4826;  ///< standard deviation of a normal distribution / MAD
 constexpr double kOutlierDeviations = 5.0;
 constexpr double kLeastOutlier = 0.02;  ///< of a period
-constexpr double kLostTolerance = 0.1;  ///< of a period, for the median of the last intervals
-constexpr int kLostOutliers = 12;       ///< of the last 16 instants
+constexpr std::size_t kForPhase = 9;    ///< recent instants
+constexpr double kSteadiness = 0.01;    ///< of an interval, in which steady ones agree
+constexpr int kSteadyIntervals = 12;  ///< of the last 16, to tell a new rate from a loaded machine
 
 /// Reorders `values`. The lower median of an even number.
 double median(std::span<double> values) {
@@ -71,7 +72,6 @@ void RefreshMeter::start_run(Instant onset) {
   origin_ = last_ = onset;
   next_ = size_ = 0;
   intercept_ = 0.0;
-  recent_outliers_ = 0;
   push({});
   estimate_.phase = onset;
 }
@@ -127,11 +127,6 @@ void RefreshMeter::refit() {
   const auto is_outlier = [&](const Refresh& refresh) {
     return std::abs(residual(refresh) - middle) > limit;
   };
-  recent_outliers_ = 0;
-  for (std::size_t age = 0; age < std::min(size_, kWarmUp); ++age) {
-    if (is_outlier(recent(age))) ++recent_outliers_;
-  }
-
   double count = 0.0;
   double mean_index = 0.0;
   double mean_at = 0.0;
@@ -152,6 +147,10 @@ void RefreshMeter::refit() {
   const auto enough = first_run_ ? kWarmUp : kEnoughForPeriod;
   if (size_ >= enough && variance > 0.0) period_ = covariance / variance;
   intercept_ = mean_at - period_ * mean_index;
+
+  const auto recent_count = std::min(size_, kForPhase);
+  for (std::size_t age = 0; age < recent_count; ++age) residuals[age] = residual(recent(age));
+  intercept_ += median(std::span{residuals}.first(recent_count));
   estimate_.period = rounded(period_);
   estimate_.phase = origin_ + rounded(intercept_ + period_ * static_cast<double>(recent(0).index));
   estimate_.count = static_cast<int>(counts_.single);
@@ -163,8 +162,11 @@ bool RefreshMeter::grid_lost() const {
   for (std::size_t age = 0; age < kWarmUp; ++age) {
     intervals[age] = recent(age).at - recent(age + 1).at;
   }
-  return recent_outliers_ > kLostOutliers ||
-         off_multiple(median(intervals) / period_) > kLostTolerance;
+  const auto typical = median(intervals);
+  const auto alike = std::ranges::count_if(intervals, [typical](double interval) {
+    return std::abs(interval - typical) <= kSteadiness * typical;
+  });
+  return alike >= kSteadyIntervals && off_multiple(typical / period_) > 2.0 * kSteadiness;
 }
 
 void RefreshMeter::measure_deviation() {

@@ -24,10 +24,13 @@ struct RefreshCounts {
 /// The first 16 intervals give the period by their median, so fewer than half of them may be
 /// irregular. From then on every instant is given its whole number of periods, and a straight line
 /// is fitted through the last 512 instants by least squares, leaving out those whose residual is
-/// more than 5 scaled median absolute deviations (at least 2 % of a period) off the median. After a
-/// gap longer than 64 periods the numbering starts anew; the period is kept until 100 new instants
-/// can tell it. When the median of the last 16 intervals is more than 10 % of a period off every
-/// whole multiple, or more than 12 of the last 16 instants were left out, everything starts anew.
+/// more than 5 scaled median absolute deviations (at least 2 % of a period) off the median. Its
+/// slope is the period; the phase is the median of the last 9 instants along it, because a
+/// compositor's timer, unlike a screen, may lose a few milliseconds and never make up for them.
+/// After a gap longer than 64 periods the numbering starts anew; the period is kept until 100 new
+/// instants can tell it. Only when 12 of the last 16 intervals agree within 1 % on a length that is
+/// 2 % off every multiple of the period, everything starts anew: the screen has another rate.
+/// Intervals that are merely irregular, as on an overloaded machine, do not unsettle the grid.
 ///
 /// Allocates nothing. Not for concurrent use.
 class RefreshMeter {
@@ -64,11 +67,10 @@ class RefreshMeter {
   std::array<Refresh, kWindow> ring_{};
   std::size_t next_ = 0;
   std::size_t size_ = 0;
-  int recent_outliers_ = 0;  ///< among the last 16 instants
-  bool known_ = false;       ///< the period is
-  bool first_run_ = true;    ///< since the period was last unknown
-  double period_ = 0.0;      ///< ns
-  double intercept_ = 0.0;   ///< fitted instant of index 0, ns since origin_
+  bool known_ = false;      ///< the period is
+  bool first_run_ = true;   ///< since the period was last unknown
+  double period_ = 0.0;     ///< ns
+  double intercept_ = 0.0;  ///< fitted instant of index 0, ns since origin_
   Instant origin_;
   Instant last_;
   RefreshEstimate estimate_;

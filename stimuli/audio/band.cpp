@@ -14,7 +14,7 @@
 namespace bimodal {
 
 void require_band(const Band& band, Hertz rate) {
-  const bool ordered = band.low.count() >= 0.0 && band.low < band.high;
+  const bool ordered = band.low.count() >= 0.0 && band.low.count() < band.high.count();
   if (ordered && band.high.count() <= rate.count() / 2.0) return;
   throw Error{fmt::format(
       "cannot measure the band {} to {} Hz in sound of {} samples per second; choose "
@@ -36,7 +36,10 @@ Decibels level(std::span<const float> samples) {
       squares[k] += sample * sample;
     }
   }
-  for (const double sample : samples.subspan(whole)) squares[0] += sample * sample;
+  for (const float last : samples.subspan(whole)) {
+    const auto sample = static_cast<double>(last);
+    squares[0] += sample * sample;
+  }
   const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
   return decibels(std::sqrt(sum / static_cast<double>(samples.size())));
 }

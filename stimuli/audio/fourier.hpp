@@ -20,8 +20,8 @@ class FourierTransform {
   FourierTransform();
   FourierTransform(const FourierTransform&) = delete;
   FourierTransform& operator=(const FourierTransform&) = delete;
-  FourierTransform(FourierTransform&&) noexcept;
-  FourierTransform& operator=(FourierTransform&&) noexcept;
+  FourierTransform(FourierTransform&& other) noexcept;
+  FourierTransform& operator=(FourierTransform&& other) noexcept;
   ~FourierTransform();
 
   /// X[k] = sum over n of x[n] exp(-2 pi i k n / N) for k = 0 ... N/2, N = fast_length(signal

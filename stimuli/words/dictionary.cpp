@@ -115,9 +115,8 @@ Dictionary::Dictionary(const std::filesystem::path& file) {
   std::vector<Entry*> order;  // moving pointers about is quicker than moving entries
   order.reserve(entries.size());
   for (auto& entry : entries) order.push_back(&entry);
-  std::ranges::stable_sort(order, {}, [](const Entry* entry) -> const std::string& {
-    return entry->spelling;
-  });
+  std::ranges::stable_sort(
+      order, {}, [](const Entry* entry) -> const std::string& { return entry->spelling; });
   pronunciations_.reserve(entries.size());
   for (Entry* entry : order) {
     if (spellings_.empty() || spellings_.back() != entry->spelling) {

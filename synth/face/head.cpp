@@ -222,8 +222,8 @@ struct Head::Rig {
 Head::Head(const std::filesystem::path& folder) : rig_{std::make_unique<Rig>(HeadFiles{folder})} {}
 
 Head::~Head() = default;
-Head::Head(Head&&) noexcept = default;
-Head& Head::operator=(Head&&) noexcept = default;
+Head::Head(Head&& other) noexcept = default;
+Head& Head::operator=(Head&& other) noexcept = default;
 
 std::span<const SurfaceDescription> Head::surfaces() const {
   return rig_->surfaces;

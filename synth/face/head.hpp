@@ -16,15 +16,15 @@ class Head {
   /// Reads synth/assets/head (cage, fields). Throws Error, naming file and line.
   explicit Head(const std::filesystem::path& folder);
   ~Head();
-  Head(Head&&) noexcept;
-  Head& operator=(Head&&) noexcept;
+  Head(Head&& other) noexcept;
+  Head& operator=(Head&& other) noexcept;
   Head(const Head&) = delete;
   Head& operator=(const Head&) = delete;
 
   [[nodiscard]] std::span<const SurfaceDescription> surfaces() const;
 
-  /// Moves every surface to `pose`; controls are clamped to their ranges.
-  void pose(const Pose& pose, PosedHead& posed) const;
+  /// Moves every surface to `wanted`; controls are clamped to their ranges.
+  void pose(const Pose& wanted, PosedHead& posed) const;
 
  private:
   struct Rig;

@@ -33,7 +33,6 @@ namespace {
 
 constexpr int kMarginRing = 4;
 constexpr std::size_t kBladeVertices = 5;
-const glm::vec3 kFacing{0.0F, 0.30151F, 0.95346F};  // all lashes are lit alike
 
 struct Row {
   int count;
@@ -146,6 +145,7 @@ void Lashes::place(std::span<const glm::vec3> skin, SurfaceGeometry& lashes) con
         lashes.positions.end(),
         {root - half, root + half, bend - 0.75F * half, bend + 0.75F * half, tip});
   }
+  constexpr glm::vec3 kFacing{0.0F, 0.30151F, 0.95346F};  // all lashes are lit alike
   lashes.normals.assign(lashes.positions.size(), kFacing);
 }
 

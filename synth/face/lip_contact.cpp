@@ -20,9 +20,9 @@ constexpr PerRing kPressedInward{0.0, 0.0, 0.0, 0.1, 1.3, 2.4, 1.0, 0.5, 0.0, 0.
 constexpr std::array<double, MouthLoops::kCorner> kZip{0.0, 0.03, 0.16, 0.46, 0.82, 1.0, 1.0, 1.0};
 constexpr double kFullZipMm = 16.0;
 
-constexpr double kUpperShare = 0.30;  // of the way to contact
-constexpr double kJoinMm = 1.5;       // over this last gap x and z are drawn together
-constexpr double kTouching = 1e-6;    // mm
+constexpr double kUpperShare = 0.30;    // of the way to contact
+constexpr double kJoinMm = 1.5;         // over this last gap the contact rings are drawn together
+constexpr double kJoinAtContact = 0.6;  // and the lips beside them approach in depth by this part
 
 /// A ring's facing points.
 struct Facing {
@@ -71,19 +71,21 @@ class FacingColumn {
     }
   }
 
-  /// Draws the contact rings together in x and z as the gap vanishes; in y when they touch.
-  void seal(bool shut) const {
-    const double near = 1.0 - smooth_step(0.0, kJoinMm, gap());
+  /// Draws the contact rings together in x and z, and their gaps to that of the first of them; at
+  /// `near` 1 they coincide.
+  void seal(double near) const {
     if (near <= 0.0) return;
+    const double first_gap = gap();
     for (std::size_t j = 6; j <= 8; ++j) {
       const auto [upper, lower] = rings_[j];
       const auto middle = 0.5 * (*upper + *lower);
-      const bool passed = upper->y < lower->y;
-      for (auto* const point : {upper, lower}) {
-        point->x += near * (middle.x - point->x);
-        point->z += near * (middle.z - point->z);
-        if (passed || shut) point->y = middle.y;
-      }
+      const double open = upper->y - lower->y;
+      const double wanted = near < 1.0 ? std::max(0.0, open + near * (first_gap - open)) : 0.0;
+      *upper += near * (middle - *upper);
+      *lower += near * (middle - *lower);
+      upper->y = middle.y + 0.5 * wanted;
+      lower->y = middle.y - 0.5 * wanted;
+      if (near >= 1.0) *upper = *lower = middle;
     }
   }
 
@@ -96,16 +98,15 @@ void bring_together(const LipContact& contact, int column, const FacingColumn& l
   const double closure =
       std::max(contact.closure, narrowing * kZip.at(static_cast<std::size_t>(column)));
   const double gap = lips.gap();
-  const bool overlapping = gap < 0.0;
-  const double way = overlapping ? gap : gap * closure;
-  if (std::abs(way) < kTouching && contact.compression == 0.0) return;
-
+  const double remaining = std::max(0.0, gap * (1.0 - closure));
+  // Everything below varies continuously with gap and closure, so that lips part without a jump.
+  const double near = 1.0 - smooth_step(0.0, kJoinMm, remaining);
   const double depth = lips.ring(6).lower->z - lips.ring(6).upper->z;
-  lips.close(way, depth * (overlapping ? 0.6 : closure));
+  lips.close(gap - remaining, depth * std::max(closure, kJoinAtContact * near));
   if (contact.compression > 0.0) {
     lips.press(contact.compression, static_cast<double>(column) / MouthLoops::kCorner);
   }
-  lips.seal(closure >= 1.0 && !overlapping);
+  lips.seal(near);
 }
 
 }  // namespace

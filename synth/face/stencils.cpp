@@ -36,8 +36,9 @@ class RowSum {
     std::ranges::sort(touched_);
     Row row;
     row.reserve(touched_.size());
-    for (const auto vertex : touched_)
+    for (const auto vertex : touched_) {
       row.emplace_back(vertex, std::exchange(weight_[vertex], 0.0));
+    }
     touched_.clear();
     return row;
   }
@@ -54,7 +55,7 @@ std::size_t at(const OpenMesh::BaseHandle& element) {
 Mesh mesh_of(std::size_t vertices, std::span<const Face> faces) {
   Mesh mesh;
   std::vector<Mesh::VertexHandle> handles(vertices);
-  for (auto& handle : handles) handle = mesh.add_vertex(Mesh::Point{0, 0, 0});
+  for (auto& handle : handles) handle = Mesh::VertexHandle{mesh.add_vertex({0, 0, 0}).idx()};
   for (std::size_t i = 0; i < faces.size(); ++i) {
     std::vector<Mesh::VertexHandle> corners;
     for (const auto vertex : faces[i]) corners.push_back(handles.at(vertex));

@@ -12,8 +12,8 @@ namespace {
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
 void append(std::vector<TimedPhone>& segments, const TimedPhone& segment) {
-  const bool continues_rest = segment.phone == Phone::Rest && !segments.empty() &&
-                              segments.back().phone == Phone::Rest;
+  const bool continues_rest =
+      segment.phone == Phone::Rest && !segments.empty() && segments.back().phone == Phone::Rest;
   if (continues_rest) {
     segments.back().duration += segment.duration;
   } else {
@@ -126,8 +126,12 @@ void Articulation::blend(const Channel& channel,
 }
 
 Pose Articulation::at(Duration time) const {
-  Pose pose = neutral_pose();
   std::vector<double> weights;
+  return at(time, weights);
+}
+
+Pose Articulation::at(Duration time, std::vector<double>& weights) const {
+  Pose pose = neutral_pose();
   for (const auto& channel : channels_) {
     blend(channel, Milliseconds{time}.count(), weights, pose);
   }
@@ -137,11 +141,12 @@ Pose Articulation::at(Duration time) const {
 std::vector<Pose> Articulation::sample(Hertz rate) const {
   assert(rate.count() > 0);
   std::vector<Pose> poses;
+  std::vector<double> weights;
   for (std::int64_t frame = 0;; ++frame) {
     const double nanoseconds = static_cast<double>(frame) * 1e9 / rate.count();
     const Duration time{std::llround(nanoseconds)};
     if (time >= end_) return poses;
-    poses.push_back(at(time));
+    poses.push_back(at(time, weights));
   }
 }
 

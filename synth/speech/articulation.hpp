@@ -64,6 +64,9 @@ class Articulation {
     std::vector<ControlTargets> controls;
   };
 
+  /// at(), with work space that several calls share.
+  [[nodiscard]] Pose at(Duration time, std::vector<double>& weights) const;
+
   /// Sets the channel's controls in `pose` to equation 6 at `time_ms`; `weights` is work space.
   static void blend(const Channel& channel,
                     double time_ms,

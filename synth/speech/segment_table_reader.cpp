@@ -87,7 +87,8 @@ class SegmentTableReader {
       if (event == json::parse_event_t::object_start) open.emplace_back();
       if (event == json::parse_event_t::object_end) open.pop_back();
       if (event == json::parse_event_t::key && !open.back().insert(parsed).second) {
-        error("", fmt::format("the key {} stands twice in one object", parsed.dump()),
+        error("",
+              fmt::format("the key {} stands twice in one object", parsed.dump()),
               "keep one of them");
       }
       return true;
@@ -144,7 +145,8 @@ class SegmentTableReader {
       if (reference.is_string() && !reference.get_ref<const std::string&>().empty()) {
         table_.sources_[key] = reference;
       } else {
-        error(child("/sources", key), reference.dump() + " is not a reference",
+        error(child("/sources", key),
+              reference.dump() + " is not a reference",
               "say in words where the values come from");
       }
     }
@@ -170,24 +172,27 @@ class SegmentTableReader {
     const auto where = child(pointer, "columns");
     const auto columns = group.find("columns");
     const bool begins_well =
-        columns != group.end() && columns->is_array() && columns->size() > kDynamicsColumns.size() &&
+        columns != group.end() && columns->is_array() &&
+        columns->size() > kDynamicsColumns.size() &&
         std::equal(kDynamicsColumns.begin(), kDynamicsColumns.end(), columns->begin());
     if (!begins_well) {
-      error(where, "does not name the columns of this format",
+      error(where,
+            "does not name the columns of this format",
             fmt::format("begin with {}, and then name the controls", joined(kDynamicsColumns)));
       return {};
     }
     std::vector<Control> controls;
     for (std::size_t i = kDynamicsColumns.size(); i < columns->size(); ++i) {
       const auto& name = (*columns)[i];
-      const auto control = name.is_string()
-                               ? control_from_name(name.get_ref<const std::string&>())
-                               : std::nullopt;
+      const auto control =
+          name.is_string() ? control_from_name(name.get_ref<const std::string&>()) : std::nullopt;
       if (!control || static_cast<std::size_t>(*control) >= kSpeechControlCount) {
-        error(child(where, fmt::to_string(i)), name.dump() + " is not a control that speech sets",
+        error(child(where, fmt::to_string(i)),
+              name.dump() + " is not a control that speech sets",
               "known are: " + joined(speech_control_names()));
       } else if (!grouped_.insert(*control).second) {
-        error(child(where, fmt::to_string(i)), name.dump() + " stands in two groups or twice",
+        error(child(where, fmt::to_string(i)),
+              name.dump() + " stands in two groups or twice",
               "keep it in one");
       } else {
         controls.push_back(*control);
@@ -199,7 +204,8 @@ class SegmentTableReader {
 
   static std::vector<std::string_view> speech_control_names() {
     std::vector<std::string_view> names;
-    for (const auto& control : controls().first<kSpeechControlCount>()) names.push_back(control.name);
+    for (const auto& control : controls().first<kSpeechControlCount>())
+      names.push_back(control.name);
     return names;
   }
 
@@ -209,7 +215,8 @@ class SegmentTableReader {
                 const std::vector<Control>& controls) {
     const auto phones = read_segments(segments, pointer);
     if (!row.is_array() || row.size() != kDynamicsColumns.size() + controls.size()) {
-      error(pointer, fmt::format("is not a row of {} values", kDynamicsColumns.size() + controls.size()),
+      error(pointer,
+            fmt::format("is not a row of {} values", kDynamicsColumns.size() + controls.size()),
             "give one value for each column");
       return;
     }
@@ -223,7 +230,8 @@ class SegmentTableReader {
     positive(dominance.theta_before, 1, pointer);
     positive(dominance.theta_after, 2, pointer);
     if (std::abs(offset_ms) > kLargestOffsetMs) {
-      error(child(pointer, "3"), fmt::format("an offset of {} ms is beyond any segment", offset_ms),
+      error(child(pointer, "3"),
+            fmt::format("an offset of {} ms is beyond any segment", offset_ms),
             fmt::format("give ms between -{0} and {0}", kLargestOffsetMs));
       return;
     }
@@ -242,10 +250,12 @@ class SegmentTableReader {
     for (std::string word; words >> word;) {
       const auto phone = phone_from_symbol(word);
       if (!phone || symbol(*phone) != word) {
-        error(pointer, fmt::format("\"{}\" is not a segment", word),
+        error(pointer,
+              fmt::format("\"{}\" is not a segment", word),
               "write segments as P, IY, rest, parted by spaces");
       } else if (face_segments(*phone).size() != 1) {
-        error(pointer, fmt::format("\"{}\" is two segments for the face", word),
+        error(pointer,
+              fmt::format("\"{}\" is two segments for the face", word),
               fmt::format("give {} instead", spell(face_segments(*phone))));
       } else {
         phones.push_back(*phone);
@@ -260,7 +270,8 @@ class SegmentTableReader {
   /// NaN, with the mistake noted, if it is not a finite number.
   double number(const json& row, std::size_t column, const std::string& pointer) {
     if (row[column].is_number() && std::isfinite(row[column].get<double>())) return row[column];
-    error(child(pointer, fmt::to_string(column)), row[column].dump() + " is not a number",
+    error(child(pointer, fmt::to_string(column)),
+          row[column].dump() + " is not a number",
           "give a number in the column's unit");
     return std::nan("");
   }
@@ -278,18 +289,21 @@ class SegmentTableReader {
       used_sources_.insert(key);
       return key;
     }
-    error(child(pointer, fmt::to_string(column)), key.dump() + " is not a source",
+    error(child(pointer, fmt::to_string(column)),
+          key.dump() + " is not a source",
           "give a key of /sources, and say there where the values come from");
     return {};
   }
 
   void set(Phone phone, Control control, const SegmentTarget& asked, const std::string& pointer) {
     if (!set_.insert({phone, control}).second) {
-      error(pointer, fmt::format("{} has {} set already", symbol(phone), describe(control).name),
+      error(pointer,
+            fmt::format("{} has {} set already", symbol(phone), describe(control).name),
             "keep one row for each segment in a group");
       return;
     }
-    table_.targets_.at(static_cast<std::size_t>(phone)).at(static_cast<std::size_t>(control)) = asked;
+    table_.targets_.at(static_cast<std::size_t>(phone)).at(static_cast<std::size_t>(control)) =
+        asked;
   }
 
   /// Nothing unknown becomes zero: each segment sets each speech control.
@@ -300,10 +314,12 @@ class SegmentTableReader {
         if (!set_.contains({phone, control.control})) missing.push_back(symbol(phone));
       }
       if (missing.size() == kFaceSegmentCount) {
-        error("/groups", fmt::format("no group has the control {}", control.name),
+        error("/groups",
+              fmt::format("no group has the control {}", control.name),
               "add it to a group's columns and rows");
       } else if (!missing.empty()) {
-        error("/groups", fmt::format("{} is not set for {}", control.name, joined(missing)),
+        error("/groups",
+              fmt::format("{} is not set for {}", control.name, joined(missing)),
               "add rows for these segments");
       }
     }

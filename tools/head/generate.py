@@ -12,10 +12,8 @@ import sys
 
 import numpy as np
 
-import build
 import fields
 import model
-import tongue
 
 ASSETS = pathlib.Path(__file__).resolve().parents[2] / "synth" / "assets" / "head"
 ANGULAR = {"jaw", "tuck"}  # weights of rotations with arms of up to 100 mm need more digits
@@ -64,13 +62,25 @@ def table(columns):
 
 
 def fields_csv(head):
-    f = fields.Fields(head)
-    columns = dict(
-        row=f.r, column=f.c, mouth_ring=f.ring, mouth_column=f.k, eye_ring=f.eyer, eye_column=f.e,
-        lip=head.lip, wet=head.wet, scalp=head.scalp, dark=head.dark,
-        jaw=f.wj, tuck=f.wt, hug=f.hug, neck=head.headw, lid_travel=fields.lid_travel(f),
-    )  # fmt: skip
-    for name, field in f.F.items():
+    f = fields.SkinFields(head)
+    columns = {
+        "row": f.row,
+        "column": f.grid_column,
+        "mouth_ring": f.ring,
+        "mouth_column": f.column,
+        "eye_ring": f.eye_ring,
+        "eye_column": f.eye_column,
+        "lip": head.lip,
+        "wet": head.wet,
+        "scalp": head.scalp,
+        "dark": head.dark,
+        "jaw": f.jaw,
+        "tuck": f.tuck,
+        "hug": f.hug,
+        "neck": head.headw,
+        "lid_travel": f.lid_travel,
+    }
+    for name, field in f.fields.items():
         for axis, letter in enumerate("xyz"):
             columns[f"{name}_{letter}"] = field[:, axis]
     return table(columns)

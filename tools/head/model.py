@@ -1,7 +1,8 @@
 """Assembly of the head: the mirrored skin cage with its masks, and the separate parts."""
 import numpy as np
 
-import build as b
+import parts
+import skin
 import tongue
 
 
@@ -12,7 +13,7 @@ class Head:
 
 def make():
     m = Head()
-    H, gi, V, f, g, src, mp = b.build_all()
+    H, gi, V, f, g, src, mp = skin.build_all()
     m.skinF, m.skinG = f, g
     n = len(V)
     m.tag = tag = [H.tag.get(src[i][0], {}) for i in range(n)]
@@ -47,19 +48,19 @@ def make():
 
     m.parts, m.tooth_height = {}, {}
     for upper, name in ((1, "upper_teeth"), (0, "lower_teeth")):
-        vertices, faces, tags = b.teeth(upper)
+        vertices, faces, tags = parts.teeth(upper)
         m.parts[name] = (vertices, faces)
         m.tooth_height[name] = np.array([t[1] for t in tags])
-    m.parts["upper_gum"] = b.gums(1)
-    m.parts["lower_gum"] = b.gums(0)
+    m.parts["upper_gum"] = parts.gums(1)
+    m.parts["lower_gum"] = parts.gums(0)
     m.parts["tongue"] = tongue.rest()
-    vertices, faces = b.ear()
+    vertices, faces = parts.ear()
     m.parts["left_ear"] = (vertices, faces)
     m.parts["right_ear"] = (vertices * [-1, 1, 1], [q[::-1] for q in faces])
     for name in ("lower_teeth", "upper_gum", "tongue"):  # made inside out
         vertices, faces = m.parts[name]
         m.parts[name] = (vertices, [q[::-1] for q in faces])
-    ball, faces = b.eyeball()
-    m.parts["left_eye"] = (ball * b.EYER + b.EYEC, faces)
-    m.parts["right_eye"] = (ball * b.EYER + b.EYEC * [-1, 1, 1], faces)
+    ball, faces = parts.eyeball()
+    m.parts["left_eye"] = (ball * skin.EYER + skin.EYEC, faces)
+    m.parts["right_eye"] = (ball * skin.EYER + skin.EYEC * [-1, 1, 1], faces)
     return m

@@ -2,13 +2,13 @@
 import numpy as np
 from numpy import exp, hypot
 
-import build as b
+import parts
 
 STATIONS, ROUND = 15, 12
 
 
 def faces():
-    f = b.grid_faces(STATIONS, ROUND, True)
+    f = parts.grid_faces(STATIONS, ROUND, True)
     tip = STATIONS * ROUND
     return f + [(tip - ROUND + j, tip, tip - ROUND + (j + 1) % ROUND) for j in range(ROUND)]
 
@@ -35,7 +35,7 @@ def rest():
     V.append([[0, y[-1] + ty[-1] * 2.0, z[-1] + tz[-1] * 2.0]])
     V = np.concatenate(V)
     # inside the lower arch, below the palate
-    inside = np.maximum(0, (b.ZL - V[:, 2]) / 27.0) ** (1 / 2.7) * 24.5
+    inside = np.maximum(0, (parts.ZL - V[:, 2]) / 27.0) ** (1 / 2.7) * 24.5
     inside -= np.interp(V[:, 2], [45, 60, 78, 87], [8.0, 7.5, 6.0, 3.5])
     step = np.clip((V[:, 1] + 76.5) / 3, 0, 1)
     low = 1 - step * step * (3 - 2 * step)

@@ -1,5 +1,8 @@
 #include "runner/timing/pacing.hpp"
 
+#include <initializer_list>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace bimodal::runner {
@@ -63,10 +66,33 @@ TEST(PlanRefresh, PresentsEveryRefreshOnceWhenDeadlinesFollowTheGrid) {
   }
 }
 
+TEST(OnsetOfSwap, IsTheReturnOfASwapThatWaitedForItsRefresh) {
+  const auto plan = plan_refresh(kGrid, kPhase + 1ms, kPhase + 16ms);
+  const auto on_time = onset_of_swap(kGrid, plan, kPhase + 16ms + 50us);
+  EXPECT_EQ(on_time.onset, kPhase + 16ms + 50us);
+  EXPECT_TRUE(on_time.seen);
+  EXPECT_TRUE(onset_of_swap(kGrid, plan, kPhase + 12ms).seen);
+  const auto missed = onset_of_swap(kGrid, plan, kPhase + 32ms);
+  EXPECT_EQ(missed.onset, kPhase + 32ms);
+  EXPECT_TRUE(missed.seen);
+}
+
+TEST(OnsetOfSwap, IsOnlyPredictedWhenTheSwapCameBackTooEarly) {
+  const auto plan = plan_refresh(kGrid, kPhase + 1ms, kPhase + 16ms);
+  const auto early = onset_of_swap(kGrid, plan, kPhase + 5ms);
+  EXPECT_EQ(early.onset, kPhase + 16ms);
+  EXPECT_FALSE(early.seen);
+}
+
 TEST(SwapWaits, TellsAScreenFromACopy) {
-  EXPECT_FALSE(swap_waits(150us));  // Xvfb
-  EXPECT_TRUE(swap_waits(16'667us));
-  EXPECT_TRUE(swap_waits(2'083us));  // 480 Hz
+  const auto loop = [](std::initializer_list<Duration> intervals) {
+    return swap_waits(std::vector<Duration>{intervals}, 16'667us);
+  };
+  EXPECT_TRUE(loop({16'667us, 16'600us, 16'700us, 16'667us}));
+  EXPECT_TRUE(loop({30ms, 3'334us, 16'700us, 33'334us}));  // woken late once, a refresh missed
+  EXPECT_FALSE(loop({150us, 150us, 160us, 5ms}));          // Xvfb
+  EXPECT_FALSE(loop({7ms, 6ms, 40ms, 6ms}));               // the same on a loaded machine
+  EXPECT_TRUE(swap_waits(std::vector<Duration>(20, 2'083us), 2'083us));  // 480 Hz
 }
 
 }  // namespace

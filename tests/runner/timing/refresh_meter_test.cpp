@@ -57,7 +57,7 @@ TEST(RefreshMeter, SeesThroughJitterOfTheStamps) {
     // error of 57.7 * sqrt(12 / 101^3) = 0.2 us; an interval has SD sqrt(2) * 57.7 = 81.6 us.
     EXPECT_NEAR(microseconds(meter.estimate().period), microseconds(kPeriod), 1.0);
     EXPECT_NEAR(microseconds(meter.estimate().deviation), 81.6, 20.0);
-    EXPECT_LT(grid_error(meter.estimate(), kStart + 101 * kPeriod + 100us), 60.0);
+    EXPECT_LT(grid_error(meter.estimate(), kStart + 101 * kPeriod + 100us), 100.0);
   }
 }
 
@@ -85,7 +85,7 @@ TEST(RefreshMeter, CountsSkippedRefreshesAndKeepsTheGrid) {
   EXPECT_EQ(meter.counts().irregular, 0);
   EXPECT_EQ(meter.counts().intervals, 599);
   EXPECT_NEAR(microseconds(meter.estimate().period), microseconds(kPeriod), 0.2);
-  EXPECT_LT(grid_error(meter.estimate(), kStart + refresh * kPeriod + 25us), 15.0);
+  EXPECT_LT(grid_error(meter.estimate(), kStart + refresh * kPeriod + 25us), 25.0);
 }
 
 TEST(RefreshMeter, IsNotMovedByLateStamps) {
@@ -133,13 +133,23 @@ TEST(RefreshMeter, FindsItsPhaseAgainAfterALongPause) {
   meter.add(resumed + jitter());
   for (int k = 1; k < 20; ++k) meter.add(resumed + k * kPeriod + jitter());
   EXPECT_EQ(meter.estimate().period, before);
-  EXPECT_LT(grid_error(meter.estimate(), resumed + 20 * kPeriod + 50us), 60.0);
+  EXPECT_LT(grid_error(meter.estimate(), resumed + 20 * kPeriod + 50us), 50.0);
   for (int k = 20; k < 200; ++k) meter.add(resumed + k * kPeriod + jitter());
   EXPECT_NEAR(microseconds(meter.estimate().period), microseconds(kPeriod), 0.5);
 }
 
+TEST(RefreshMeter, FollowsATimerThatLosesTimeAtOnce) {
+  RefreshMeter meter;
+  auto at = kStart;
+  for (int k = 0; k < 400; ++k) meter.add(at += kPeriod);
+  meter.add(at += kPeriod + 4ms);
+  for (int k = 0; k < 5; ++k) meter.add(at += kPeriod);
+  EXPECT_LT(grid_error(meter.estimate(), at + kPeriod), 10.0);
+  EXPECT_NEAR(microseconds(meter.estimate().period), microseconds(kPeriod), 1.0);
+}
+
 TEST(RefreshMeter, MeasuresAnewWhenTheRateChanges) {
-  for (const Duration period : {20'000us, 16'667us, 16'949us, 13'333us, 11'765us, 6'944us}) {
+  for (const Duration period : {20'000us, 16'949us, 13'333us, 11'765us, 6'944us}) {
     RefreshMeter meter;
     auto at = kStart;
     for (int k = 0; k < 600; ++k) meter.add(at += 16'400us);
@@ -148,6 +158,34 @@ TEST(RefreshMeter, MeasuresAnewWhenTheRateChanges) {
     EXPECT_EQ(meter.estimate().period, period);
     EXPECT_EQ(meter.estimate().phase, at);
   }
+}
+
+TEST(RefreshMeter, KeepsItsGridWhileTheMachineIsOverloaded) {
+  // Of every screen 0 to 4 refreshes are missed, and the stamp of every one comes up to 6 ms late.
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Random random{seed};
+    RefreshMeter meter;
+    for (int k = 0; k <= 100; ++k) meter.add(kStart + k * kPeriod);
+    std::int64_t refresh = 100;
+    for (int k = 0; k < 600; ++k) {
+      refresh += 1 + static_cast<std::int64_t>(random.below(5));
+      const auto late = random.uniform();
+      meter.add(kStart + refresh * kPeriod + Duration{std::llround(6e6 * late * late)});
+      ASSERT_NEAR(microseconds(meter.estimate().period), microseconds(kPeriod), 25.0) << seed;
+      ASSERT_LT(grid_error(meter.estimate(), kStart + refresh * kPeriod), 6'000.0) << seed;
+    }
+    EXPECT_EQ(meter.counts().restarts, 0) << seed;
+  }
+}
+
+TEST(RefreshMeter, RecoversFromAStartUpOnAnOverloadedMachine) {
+  // Every second refresh is missed at first, which looks like half the rate.
+  RefreshMeter meter;
+  auto at = kStart;
+  for (int k = 0; k < 40; ++k) meter.add(at += 2 * kPeriod);
+  EXPECT_EQ(meter.estimate().period, 2 * kPeriod);
+  for (int k = 0; k < 40; ++k) meter.add(at += kPeriod);
+  EXPECT_EQ(meter.estimate().period, kPeriod);
 }
 
 }  // namespace

@@ -59,9 +59,10 @@ TEST(BandNoise, HasTheSkewnessAndKurtosisOfANormalDistribution) {
   const double scale = rms(noise);
   double cubes = 0.0;
   double fourths = 0.0;
-  for (const double sample : noise) {
-    cubes += std::pow(sample / scale, 3);
-    fourths += std::pow(sample / scale, 4);
+  for (const float sample : noise) {
+    const double standard = static_cast<double>(sample) / scale;
+    cubes += std::pow(standard, 3);
+    fourths += std::pow(standard, 4);
   }
   const auto n = static_cast<double>(noise.size());
   EXPECT_NEAR(cubes / n, 0.0, 4.0 * std::sqrt(6.0 / n));

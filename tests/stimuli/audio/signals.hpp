@@ -41,8 +41,8 @@ inline double power_at(std::span<const float> samples, double rate, double frequ
   const std::complex<double> step = std::polar(1.0, -2.0 * std::numbers::pi * frequency / rate);
   std::complex<double> turn{1.0};
   std::complex<double> sum{};
-  for (const double sample : samples) {
-    sum += sample * turn;
+  for (const float sample : samples) {
+    sum += static_cast<double>(sample) * turn;
     turn *= step;
   }
   return std::norm(sum);
@@ -50,7 +50,9 @@ inline double power_at(std::span<const float> samples, double rate, double frequ
 
 inline double rms(std::span<const float> samples) {
   double squares = 0.0;
-  for (const double sample : samples) squares += sample * sample;
+  for (const float sample : samples) {
+    squares += static_cast<double>(sample) * static_cast<double>(sample);
+  }
   return std::sqrt(squares / static_cast<double>(samples.size()));
 }
 

@@ -23,7 +23,7 @@ namespace {
 using ::testing::HasSubstr;
 
 class SoundFile : public ::testing::Test {
- protected:
+ public:
   SoundFile()
       : folder_{std::filesystem::temp_directory_path() /
                 ("bimodal_sound_file_" + std::to_string(::getpid()))} {
@@ -32,9 +32,12 @@ class SoundFile : public ::testing::Test {
 
   SoundFile(const SoundFile&) = delete;
   SoundFile& operator=(const SoundFile&) = delete;
+  SoundFile(SoundFile&&) = delete;
+  SoundFile& operator=(SoundFile&&) = delete;
 
   ~SoundFile() override { std::filesystem::remove_all(folder_); }
 
+ protected:
   [[nodiscard]] std::filesystem::path path(const char* name) const { return folder_ / name; }
 
   [[nodiscard]] std::filesystem::path holding(const char* name, const std::string& content) const {
@@ -48,8 +51,10 @@ class SoundFile : public ::testing::Test {
 
 std::string little_endian(std::uint32_t value, int bytes) {
   std::string text;
-  for (int i = 0; i < bytes; ++i)
-    text += static_cast<char>((value >> (8U * static_cast<unsigned>(i))) & 0xFFU);
+  for (int i = 0; i < bytes; ++i) {
+    text += static_cast<char>(value & 0xFFU);
+    value >>= 8U;
+  }
   return text;
 }
 

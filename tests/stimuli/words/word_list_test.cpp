@@ -83,7 +83,7 @@ TEST(WordList, WantsWords) {
   EXPECT_THAT(read("{\n\"words\": []}").messages,
               ElementsAre(HasSubstr(":2: /words: there are no words")));
   EXPECT_THAT(read(R"({"name": 3, "words": 7})").messages,
-              ElementsAre(HasSubstr("/name: 3 is not a text"), HasSubstr("/words: 7 is no array")));
+              ElementsAre(HasSubstr("/name: 3 is no text"), HasSubstr("/words: 7 is no array")));
 }
 
 TEST(WordList, ReportsAFileThatIsNotThere) {

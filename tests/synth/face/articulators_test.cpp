@@ -127,7 +127,8 @@ TEST(Lids, CloseOverTheWholeEye) {
     for (std::size_t j = 0; j < table.rows(); ++j) {
       const bool facing = ring[j] == kFrontEdge && column[j] == (36 - column[i]) % 20 &&
                           head.skin_cage[i].x * head.skin_cage[j].x > 0.0;
-      if (facing) EXPECT_NEAR(head.skin_cage[i].y, head.skin_cage[j].y, 0.7) << column[i];
+      if (!facing) continue;
+      EXPECT_NEAR(head.skin_cage[i].y, head.skin_cage[j].y, 0.7) << column[i];
     }
   }
 }
@@ -136,12 +137,15 @@ TEST(Lids, CloseTheRightEyeAlone) {
   const auto open = posed(neutral_pose()).skin_cage;
   const auto wink = posed(pose_of({{RightLidClosure, 1.0}})).skin_cage;
   for (std::size_t i = 0; i < open.size(); ++i) {
-    if (open[i].x >= 0.0) EXPECT_EQ(open[i], wink[i]);
+    if (open[i].x < 0.0) continue;
+    EXPECT_EQ(open[i], wink[i]);
   }
   EXPECT_NE(open, wink);
 }
 
 TEST(Lids, LieOutsideTheEyeballHoweverFarTheyClose) {
+  constexpr double kSunkMm =
+      0.02;  // the lid's margin between its open shape and the sliding sphere
   const FieldTable table{asset("synth/assets/head/fields.csv")};
   const auto ring = table.whole_numbers("eye_ring");
   for (const double closure : {-0.25, 0.0, 0.3, 0.6, 1.0}) {
@@ -150,7 +154,8 @@ TEST(Lids, LieOutsideTheEyeballHoweverFarTheyClose) {
       if (ring[i] < 3 || ring[i] > 5) continue;
       auto point = head.skin_cage[i];
       point.x = std::abs(point.x);
-      EXPECT_GT(glm::distance(point, kLeftEyeCentre), kEyeRadius) << "closure " << closure;
+      EXPECT_GT(glm::distance(point, kLeftEyeCentre), kEyeRadius - kSunkMm)
+          << "closure " << closure;
     }
   }
 }

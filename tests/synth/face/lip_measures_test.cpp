@@ -12,7 +12,10 @@ namespace {
 using enum Control;
 
 // The lips of fourteen segments as an independent program (numpy and scipy) measured them on its
-// own subdivision of the same cage; it sampled the opening at 400 places, hence the tolerance.
+// own subdivision of the same cage. It sampled the opening at 400 places, hence the tolerance of
+// its width; and it drew the lips together only once they overlapped, where ours do so over the
+// last 1.5 mm, so that they part without a jump: narrow openings end up to 0.25 mm farther out on
+// each side, and areas differ by up to 0.6 mm2.
 struct Viseme {
   std::string_view name;
   std::vector<Setting> settings;
@@ -207,8 +210,8 @@ TEST_P(Visemes, MeasureAsTheIndependentModelSays) {
   const auto lips = posed(pose_of(expected)).lips;
   constexpr double kTolerance = 0.005;
   EXPECT_NEAR(lips.inner_height_mm, expected.inner_height, kTolerance);
-  EXPECT_NEAR(lips.inner_width_mm, expected.inner_width, 0.15);
-  EXPECT_NEAR(lips.inner_area_mm2, expected.inner_area, 0.1);
+  EXPECT_NEAR(lips.inner_width_mm, expected.inner_width, expected.inner_width < 30 ? 0.5 : 0.15);
+  EXPECT_NEAR(lips.inner_area_mm2, expected.inner_area, 0.6);
   EXPECT_NEAR(lips.outer_width_mm, expected.outer_width, kTolerance);
   EXPECT_NEAR(lips.outer_height_mm, expected.outer_height, kTolerance);
   EXPECT_NEAR(lips.upper_protrusion_mm, expected.upper_protrusion, kTolerance);
@@ -216,8 +219,8 @@ TEST_P(Visemes, MeasureAsTheIndependentModelSays) {
   EXPECT_NEAR(lips.chin_drop_mm, expected.chin_drop, kTolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(Segments, Visemes, testing::ValuesIn(kVisemes), [](const auto& info) {
-  return std::string{info.param.name};
+INSTANTIATE_TEST_SUITE_P(Segments, Visemes, testing::ValuesIn(kVisemes), [](const auto& viseme) {
+  return std::string{viseme.param.name};
 });
 
 TEST(LipMeasures, OfClosedLipsAreExactlyZero) {

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace bimodal::runner {
+
+/// Sends what is printed on stderr to /dev/null while it lives: ALSA and JACK complain there about
+/// every device that they do not find. Not for use while other threads print.
+class SilencedStderr {
+ public:
+  SilencedStderr();
+  SilencedStderr(const SilencedStderr&) = delete;
+  SilencedStderr& operator=(const SilencedStderr&) = delete;
+  SilencedStderr(SilencedStderr&&) = delete;
+  SilencedStderr& operator=(SilencedStderr&&) = delete;
+  ~SilencedStderr();
+
+ private:
+  int kept_ = -1;  ///< the real stderr
+};
+
+/// A device with outputs.
+struct AudioDevice {
+  int index = 0;  ///< PortAudio's
+  std::string name;
+  std::string host;  ///< "ALSA", "JACK Audio Connection Kit"
+  int channels = 0;
+  double default_rate = 0.0;
+  double low_latency = 0.0;  ///< s
+  bool is_default = false;
+};
+
+/// "2: system (JACK Audio Connection Kit), 2 channels, 48000 samples per second, default".
+[[nodiscard]] std::string describe(const AudioDevice& device);
+
+/// PortAudio, initialised as long as this lives. Throws DeviceError if it cannot be.
+class PortaudioSession {
+ public:
+  PortaudioSession();
+  PortaudioSession(const PortaudioSession&) = delete;
+  PortaudioSession& operator=(const PortaudioSession&) = delete;
+  PortaudioSession(PortaudioSession&&) = delete;
+  PortaudioSession& operator=(PortaudioSession&&) = delete;
+  ~PortaudioSession();
+
+  /// Those with outputs, in PortAudio's order.
+  [[nodiscard]] const std::vector<AudioDevice>& devices() const { return devices_; }
+
+ private:
+  std::vector<AudioDevice> devices_;
+};
+
+/// The device meant by an index, a whole name or a part of a name (the first that has it); empty
+/// means the default, or the first if there is none. Throws DeviceError listing the devices if none
+/// is meant.
+[[nodiscard]] const AudioDevice& choose_device(const std::vector<AudioDevice>& devices,
+                                               const std::string& wanted);
+
+}  // namespace bimodal::runner

@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "protocols/design/plan.hpp"
+#include "protocols/reading/read_protocol.hpp"
+#include "stimuli/base/asset.hpp"
+
+namespace bimodal::protocols {
+namespace {
+
+TEST(Library, HasNothingToComplainOf) {
+  std::size_t protocols = 0;
+  for (const auto& entry : std::filesystem::directory_iterator{asset("protocols/library")}) {
+    if (entry.path().extension() != ".json") continue;
+    ++protocols;
+    for (const auto& diagnostic : read_protocol(entry.path()).diagnostics) {
+      ADD_FAILURE() << describe(diagnostic);
+    }
+  }
+  EXPECT_GE(protocols, 2U);
+}
+
+// Cohen & Massaro (1993), section 5: 414 words, auditory at -8 dB, visual, and both.
+TEST(Words414, IsTheExperimentOfSectionFive) {
+  const auto read = read_protocol(asset("protocols/library/words414.json"));
+  EXPECT_EQ(read.words.words.size(), 414U);
+  EXPECT_EQ(read.practice.size(), 12U);
+  ASSERT_EQ(read.protocol.conditions.size(), 3U);
+  const auto& auditory = read.protocol.conditions[0];
+  const auto& visual = read.protocol.conditions[1];
+  const auto& bimodal = read.protocol.conditions[2];
+  EXPECT_TRUE(auditory.auditory_talker && !auditory.visual_talker);
+  EXPECT_TRUE(!visual.auditory_talker && visual.visual_talker);
+  EXPECT_TRUE(bimodal.auditory_talker && bimodal.visual_talker);
+  EXPECT_EQ(auditory.snr, Decibels{-8});
+  EXPECT_EQ(visual.snr, std::nullopt);
+  EXPECT_EQ(bimodal.snr, Decibels{-8});
+}
+
+TEST(Words414, GivesEachParticipant138WordsPerConditionInSixBlocks) {
+  const auto read = read_protocol(asset("protocols/library/words414.json"));
+  for (int participant = 1; participant <= 6; ++participant) {
+    const auto plan = make_plan(read.protocol, read.words, read.practice, {participant, 1});
+    ASSERT_EQ(plan.size(), 426U);
+    std::map<std::size_t, int> per_condition;
+    std::map<int, int> per_block;
+    std::set<std::string> words;
+    for (const auto& trial : plan) {
+      words.insert(trial.word.spelling);
+      ++per_block[trial.block];
+      if (trial.phase == Phase::Main) ++per_condition[trial.condition];
+    }
+    EXPECT_EQ(words.size(), 426U);
+    EXPECT_EQ(per_block,
+              (std::map<int, int>{{0, 12}, {1, 69}, {2, 69}, {3, 69}, {4, 69}, {5, 69}, {6, 69}}));
+    EXPECT_EQ(per_condition, (std::map<std::size_t, int>{{0, 138}, {1, 138}, {2, 138}}));
+  }
+}
+
+}  // namespace
+}  // namespace bimodal::protocols

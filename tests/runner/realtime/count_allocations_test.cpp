@@ -1,0 +1,46 @@
+#include "tests/runner/realtime/count_allocations.hpp"
+
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+#include <gtest/gtest.h>
+
+namespace bimodal::runner {
+
+namespace {
+
+thread_local std::size_t allocations = 0;
+
+}  // namespace
+
+std::size_t allocations_of_this_thread() {
+  return allocations;
+}
+
+TEST(CountAllocations, SeesAnAllocation) {
+  const auto before = allocations_of_this_thread();
+  const auto number = std::make_unique<int>(1);
+  EXPECT_EQ(allocations_of_this_thread(), before + static_cast<std::size_t>(*number));
+}
+
+}  // namespace bimodal::runner
+
+// Replaces the operators of the whole test program; all other forms of new and delete call these.
+// NOLINTBEGIN(cppcoreguidelines-no-malloc, misc-new-delete-overloads)
+void* operator new(std::size_t size) {
+  ++bimodal::runner::allocations;
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc{};
+  return memory;
+}
+
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t /*size*/) noexcept {
+  std::free(memory);
+}
+
+// NOLINTEND(cppcoreguidelines-no-malloc, misc-new-delete-overloads)

@@ -1,0 +1,216 @@
+#include "runner/realtime/mixer.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "stimuli/base/random.hpp"
+#include "tests/runner/realtime/count_allocations.hpp"
+
+namespace bimodal::runner {
+namespace {
+
+constexpr std::int64_t kFade = 240;
+
+std::vector<float> ramp(std::size_t length) {
+  std::vector<float> samples(length);
+  std::iota(samples.begin(), samples.end(), 1.0F);
+  return samples;
+}
+
+MixerCommand start(std::uint64_t sound, const std::vector<float>& samples, std::int64_t at) {
+  return {.kind = MixerCommand::Kind::Start,
+          .sound = sound,
+          .samples = samples.data(),
+          .length = static_cast<std::int64_t>(samples.size()),
+          .start = at};
+}
+
+std::vector<float> rendered(Mixer& mixer, std::size_t frames, std::size_t channels = 1) {
+  std::vector<float> output(frames * channels, 99.0F);
+  mixer.render(output, channels, false);
+  return output;
+}
+
+void expect_report(Mixer& mixer, MixerReport::Kind kind, std::uint64_t sound, std::int64_t at) {
+  const auto report = mixer.next_report();
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(report->kind, kind);
+  EXPECT_EQ(report->sound, sound);
+  EXPECT_EQ(report->at, at);
+}
+
+TEST(Mixer, IsSilentWithoutASound) {
+  Mixer mixer{kFade};
+  EXPECT_EQ(rendered(mixer, 64, 2), std::vector<float>(128, 0.0F));
+  EXPECT_EQ(mixer.position(), 64);
+  EXPECT_FALSE(mixer.next_report().has_value());
+}
+
+TEST(Mixer, PlacesASoundAtItsVerySampleHoweverTheStreamIsCutIntoBuffers) {
+  Random random{31};
+  for (int round = 0; round < 300; ++round) {
+    const auto sound = ramp(1 + random.below(700));
+    const auto at = static_cast<std::int64_t>(random.below(1500));
+    const std::size_t channels = 1 + random.below(2);
+    Mixer mixer{kFade};
+    ASSERT_TRUE(mixer.post(start(7, sound, at)));
+    std::vector<float> stream;
+    while (stream.size() < 2500 * channels) {
+      const auto buffer = rendered(mixer, 1 + random.below(400), channels);
+      stream.insert(stream.end(), buffer.begin(), buffer.end());
+    }
+    for (std::size_t i = 0; i < stream.size(); ++i) {
+      const auto index = static_cast<std::int64_t>(i / channels) - at;
+      const bool within = index >= 0 && index < static_cast<std::int64_t>(sound.size());
+      ASSERT_EQ(stream[i], within ? sound[static_cast<std::size_t>(index)] : 0.0F);
+    }
+    expect_report(mixer, MixerReport::Kind::Started, 7, at);
+    expect_report(
+        mixer, MixerReport::Kind::Finished, 7, at + static_cast<std::int64_t>(sound.size()));
+  }
+}
+
+TEST(Mixer, StartsALateSoundAtOnceAndSaysWhere) {
+  Mixer mixer{kFade};
+  (void)rendered(mixer, 1000);
+  const auto sound = ramp(10);
+  ASSERT_TRUE(mixer.post(start(1, sound, 400)));
+  EXPECT_EQ(rendered(mixer, 10), sound);  // whole, not cut
+  expect_report(mixer, MixerReport::Kind::Started, 1, 1000);
+  expect_report(mixer, MixerReport::Kind::Finished, 1, 1010);
+}
+
+TEST(Mixer, FadesAStoppedSoundAsARaisedCosine) {
+  Mixer mixer{kFade};
+  const std::vector<float> sound(5000, 1.0F);
+  ASSERT_TRUE(mixer.post(start(1, sound, 0)));
+  (void)rendered(mixer, 100);
+  ASSERT_TRUE(mixer.post({.kind = MixerCommand::Kind::Stop}));
+  const auto output = rendered(mixer, 300);
+  for (std::size_t i = 0; i < 300; ++i) {
+    const double expected =
+        i < 240 ? std::pow(std::cos(std::numbers::pi / 2 * static_cast<double>(i) / 240), 2) : 0.0;
+    ASSERT_NEAR(output[i], expected, 1e-6);
+  }
+  expect_report(mixer, MixerReport::Kind::Started, 1, 0);
+  expect_report(mixer, MixerReport::Kind::Finished, 1, 340);
+}
+
+TEST(Mixer, DropsAStoppedSoundThatHasNotStarted) {
+  Mixer mixer{kFade};
+  const auto sound = ramp(100);
+  ASSERT_TRUE(mixer.post(start(1, sound, 5000)));
+  (void)rendered(mixer, 100);
+  ASSERT_TRUE(mixer.post({.kind = MixerCommand::Kind::Stop}));
+  EXPECT_EQ(rendered(mixer, 6000), std::vector<float>(6000, 0.0F));
+  expect_report(mixer, MixerReport::Kind::Finished, 1, 100);
+  EXPECT_FALSE(mixer.next_report().has_value());
+}
+
+TEST(Mixer, FadesTheOldSoundWhenANewOneIsScheduled) {
+  Mixer mixer{kFade};
+  const std::vector<float> old_sound(5000, 1.0F);
+  const std::vector<float> new_sound(100, 10.0F);
+  ASSERT_TRUE(mixer.post(start(1, old_sound, 0)));
+  (void)rendered(mixer, 100);
+  ASSERT_TRUE(mixer.post(start(2, new_sound, 600)));
+  const auto output = rendered(mixer, 1000);
+  EXPECT_EQ(output[0], 1.0F);
+  EXPECT_EQ(output[239 + 1], 0.0F);
+  EXPECT_EQ(output[499], 0.0F);
+  EXPECT_EQ(output[500], 10.0F);
+  EXPECT_EQ(output[599], 10.0F);
+  EXPECT_EQ(output[600], 0.0F);
+}
+
+TEST(Mixer, CountsTheUnderflowsOfASound) {
+  Mixer mixer{kFade};
+  const auto sound = ramp(300);
+  std::vector<float> buffer(100);
+  mixer.render(buffer, 1, true);  // before it
+  ASSERT_TRUE(mixer.post(start(1, sound, 100)));
+  mixer.render(buffer, 1, true);  // before its first sample
+  mixer.render(buffer, 1, true);
+  mixer.render(buffer, 1, false);
+  mixer.render(buffer, 1, true);  // after it
+  (void)mixer.next_report();
+  const auto finished = mixer.next_report();
+  ASSERT_TRUE(finished.has_value());
+  EXPECT_EQ(finished->kind, MixerReport::Kind::Finished);
+  EXPECT_EQ(finished->underflows, 1);
+}
+
+TEST(Mixer, LosesNoReportWhenNobodyReads) {
+  Mixer mixer{kFade};
+  const auto sound = ramp(5);
+  std::uint64_t posted = 0;
+  for (int i = 0; i < 200; ++i) {
+    if (mixer.post(start(posted + 1, sound, 0))) ++posted;
+    (void)rendered(mixer, 16);
+  }
+  EXPECT_LT(posted, 200U);  // it refuses rather than forgets
+  std::uint64_t finished = 0;
+  for (int i = 0; i < 2000; ++i) {
+    while (const auto report = mixer.next_report()) {
+      if (report->kind == MixerReport::Kind::Finished) {
+        EXPECT_EQ(report->sound, ++finished);
+      }
+    }
+    (void)rendered(mixer, 16);
+  }
+  EXPECT_EQ(finished, posted);
+}
+
+TEST(Mixer, DoesNotAllocateWhileRendering) {
+  Mixer mixer{kFade};
+  const auto sound = ramp(1000);
+  std::vector<float> buffer(256);
+  const auto before = allocations_of_this_thread();
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    (void)mixer.post(start(i, sound, 0));
+    for (int k = 0; k < 3; ++k) mixer.render(buffer, 2, k == 1);
+    while (mixer.next_report()) {
+    }
+  }
+  EXPECT_EQ(allocations_of_this_thread(), before);
+  static_assert(noexcept(mixer.render(buffer, 2, false)));
+}
+
+TEST(Mixer, IsCommandedFromAnotherThread) {
+  Mixer mixer{kFade};
+  std::atomic<bool> done{false};
+  const std::jthread audio{[&] {
+    std::vector<float> buffer(64);
+    while (!done) {
+      mixer.render(buffer, 1, false);
+      std::this_thread::yield();
+    }
+  }};
+  constexpr std::uint64_t kSounds = 500;
+  std::uint64_t finished = 0;
+  std::uint64_t posted = 0;
+  std::vector<std::vector<float>> sounds(kSounds + 1);
+  while (finished < kSounds) {
+    if (posted < kSounds) {
+      sounds[posted + 1] = ramp(50);
+      if (mixer.post(start(posted + 1, sounds[posted + 1], 0))) ++posted;
+    }
+    while (const auto report = mixer.next_report()) {
+      if (report->kind != MixerReport::Kind::Finished) continue;
+      sounds[report->sound].clear();  // no longer borrowed
+      sounds[report->sound].shrink_to_fit();
+      ++finished;
+    }
+    std::this_thread::yield();
+  }
+  done = true;
+}
+
+}  // namespace
+}  // namespace bimodal::runner

@@ -1,0 +1,246 @@
+#include "synth/speech/segment_table.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "stimuli/base/asset.hpp"
+#include "stimuli/base/digest.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::synth {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+using testing::HasSubstr;
+using enum Phone;
+
+std::filesystem::path english() {
+  return asset("synth/assets/segments/english.json");
+}
+
+/// The shipped table as a tree, to be spoilt.
+json english_tree() {
+  return json::parse(read_file(english()));
+}
+
+/// All messages about a table, one a line.
+std::string complaints(const std::string& text) {
+  std::vector<Diagnostic> diagnostics;
+  const auto table = SegmentTable::parse(text, "spoilt.json", diagnostics);
+  EXPECT_EQ(table.has_value(), !has_errors(diagnostics));
+  std::string all;
+  for (const auto& diagnostic : diagnostics) all += describe(diagnostic) + "\n";
+  return all;
+}
+
+TEST(EnglishSegments, AreReadWithoutComplaint) {
+  EXPECT_EQ(complaints(read_file(english())), "");
+}
+
+TEST(EnglishSegments, SetEveryControlOfEverySegmentWithItsSources) {
+  const SegmentTable table{english()};
+  for (const Phone segment : all_phones().first(kFaceSegmentCount)) {
+    for (const auto& control : controls().first<kSpeechControlCount>()) {
+      const auto& asked = table.at(segment, control.control);
+      EXPECT_GT(asked.dominance.alpha, 0) << symbol(segment) << ' ' << control.name;
+      EXPECT_TRUE(table.sources().contains(asked.target_source));
+      EXPECT_TRUE(table.sources().contains(asked.dynamics_source));
+      // A virtual target may overshoot, but by no more than the control's whole range.
+      const double range = control.highest - control.lowest;
+      EXPECT_GE(asked.target, control.lowest - range) << symbol(segment) << ' ' << control.name;
+      EXPECT_LE(asked.target, control.highest + range) << symbol(segment) << ' ' << control.name;
+    }
+  }
+}
+
+TEST(EnglishSegments, LeaveTheFaceNeutralAtRest) {
+  const SegmentTable table{english()};
+  for (const auto& control : controls().first<kSpeechControlCount>()) {
+    EXPECT_EQ(table.at(Rest, control.control).target, control.neutral) << control.name;
+  }
+}
+
+// natural-lips: class B P, inner height: alpha 2.49, theta .022, t_o -13 ms; class UW, outer width:
+// alpha 1.62, theta .010 to .012, before it .015 to .020.
+TEST(EnglishSegments, HaveTheDynamicsFittedToNaturalLips) {
+  const SegmentTable table{english()};
+  const auto& jaw = table.at(B, Control::Jaw);
+  EXPECT_EQ(jaw.dominance, (Dominance{.alpha = 2.49, .theta_before = .022, .theta_after = .022}));
+  EXPECT_EQ(jaw.offset, -13ms);
+  const auto& width = table.at(UW, Control::LipWidth).dominance;
+  EXPECT_EQ(width.alpha, 1.62);
+  EXPECT_GE(width.theta_before, .015);
+  EXPECT_LE(width.theta_before, .020);
+  EXPECT_GE(width.theta_after, .010);
+  EXPECT_LE(width.theta_after, .012);
+}
+
+/// Inner lip height (mm) of unrounded visemes of the head, as the table's source "height" states.
+double height(const SegmentTable& table, Phone segment) {
+  return 0.97 + 1.42 * table.at(segment, Control::Jaw).target +
+         0.93 * (table.at(segment, Control::UpperLipRaise).target -
+                 table.at(segment, Control::LowerLipRaise).target);
+}
+
+TEST(EnglishSegments, OpenTheLipsInTheOrderOfNaturalTalkers) {
+  const SegmentTable table{english()};
+  const std::vector order{AA, IH, L, S, UW, W};
+  EXPECT_TRUE(std::ranges::is_sorted(
+      order, std::greater{}, [&](Phone segment) { return height(table, segment); }));
+  EXPECT_NEAR(height(table, IY), 11.2, 0.1);
+  EXPECT_NEAR(height(table, T), 6.5, 0.1);
+  EXPECT_NEAR(height(table, UW), 5.8, 0.1);
+}
+
+TEST(SegmentTable, SaysWhereItIsNotJson) {
+  EXPECT_THAT(complaints("{\n\"sources\": {},\n\"groups\": }"),
+              HasSubstr("spoilt.json:3: is not JSON"));
+}
+
+TEST(SegmentTable, RefusesAnUnknownSegment) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["rows"]["Q"] = tree["groups"]["tuck"]["rows"]["F V"];
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("/groups/tuck/rows/Q: \"Q\" is not a segment"));
+}
+
+TEST(SegmentTable, RefusesARowForADiphthong) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["rows"]["AY"] = tree["groups"]["tuck"]["rows"]["F V"];
+  EXPECT_THAT(complaints(tree.dump()),
+              HasSubstr("\"AY\" is two segments for the face; give AA IH"));
+}
+
+TEST(SegmentTable, RefusesAnUnknownControl) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["columns"][6] = "lower_lip_tick";
+  EXPECT_THAT(complaints(tree.dump()),
+              HasSubstr("/groups/tuck/columns/6: \"lower_lip_tick\" is not a control"));
+}
+
+TEST(SegmentTable, RefusesAControlThatSpeechDoesNotSet) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["columns"][6] = "head_yaw";
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("\"head_yaw\" is not a control that speech sets"));
+}
+
+TEST(SegmentTable, RefusesAControlInTwoGroups) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["columns"][6] = "jaw";
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("\"jaw\" stands in two groups or twice"));
+}
+
+TEST(SegmentTable, RefusesAValueWithoutSource) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["rows"]["F V"][5] = "somebody";
+  EXPECT_THAT(complaints(tree.dump()),
+              HasSubstr("/groups/tuck/rows/F V/5: \"somebody\" is not a source"));
+}
+
+TEST(SegmentTable, RefusesDominanceThatIsNotPositive) {
+  for (const std::size_t column : {0U, 1U, 2U}) {
+    auto tree = english_tree();
+    tree["groups"]["tuck"]["rows"]["F V"][column] = 0;
+    EXPECT_THAT(complaints(tree.dump()),
+                HasSubstr("/groups/tuck/rows/F V/" + std::to_string(column)));
+  }
+}
+
+TEST(SegmentTable, RefusesAValueThatIsNotANumber) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["rows"]["F V"][6] = "much";
+  EXPECT_THAT(complaints(tree.dump()),
+              HasSubstr("/groups/tuck/rows/F V/6: \"much\" is not a number"));
+}
+
+TEST(SegmentTable, RefusesARowOfTheWrongLength) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["rows"]["F V"].push_back(1);
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("is not a row of 7 values"));
+}
+
+TEST(SegmentTable, RefusesAnOffsetBeyondAnySegment) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["rows"]["F V"][3] = 1'000;
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("an offset of 1000 ms is beyond any segment"));
+}
+
+TEST(SegmentTable, RefusesASegmentWithoutRow) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["rows"].erase("F V");
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("lower_lip_tuck is not set for F, V"));
+}
+
+TEST(SegmentTable, RefusesASegmentWithTwoRows) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["rows"]["V"] = tree["groups"]["tuck"]["rows"]["F V"];
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("V has lower_lip_tuck set already"));
+}
+
+TEST(SegmentTable, RefusesAControlWithoutGroup) {
+  auto tree = english_tree();
+  tree["groups"].erase("tuck");
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("no group has the control lower_lip_tuck"));
+}
+
+TEST(SegmentTable, RefusesAKeyThatStandsTwice) {
+  EXPECT_THAT(complaints(R"({"sources": {}, "groups": {}, "groups": {}})"),
+              HasSubstr("the key \"groups\" stands twice"));
+}
+
+TEST(SegmentTable, RefusesAnUnknownKey) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["collumns"] = json::array();
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("/groups/tuck/collumns: is not a known key"));
+}
+
+TEST(SegmentTable, NamesAllMistakesAtOnce) {
+  auto tree = english_tree();
+  tree["groups"]["tuck"]["rows"]["F V"][0] = -1;
+  tree["groups"]["closure"]["rows"]["P B M"][5] = "somebody";
+  const auto all = complaints(tree.dump());
+  EXPECT_THAT(all, HasSubstr("/groups/tuck/rows/F V/0"));
+  EXPECT_THAT(all, HasSubstr("/groups/closure/rows/P B M/5"));
+}
+
+TEST(SegmentTable, RefusesOtherShapesWithoutFailing) {
+  for (const std::string text :
+       {"[]",
+        "1",
+        "{}",
+        R"({"sources": 1, "groups": 2})",
+        R"({"sources": {"a": 1}, "groups": {"g": 3}})",
+        R"({"sources": {}, "groups": {"g": {"columns": 1, "rows": []}}})"}) {
+    EXPECT_NE(complaints(text), "") << text;
+  }
+}
+
+TEST(SegmentTable, WarnsOfASourceThatNobodyUses) {
+  auto tree = english_tree();
+  tree["sources"]["nobody"] = "a paper";
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("/sources/nobody: warning: no row uses"));
+}
+
+TEST(SegmentTable, ThrowsWithFileAndFindingsWhenLoadedFromABadFile) {
+  const auto file = std::filesystem::path{testing::TempDir()} / "bimodal_bad_segments.json";
+  std::ofstream{file} << "{}";
+  try {
+    const SegmentTable table{file};
+    FAIL() << "the file is empty";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr(file.string()));
+    EXPECT_THAT(error.what(), HasSubstr("\"sources\" is missing"));
+    EXPECT_THAT(error.what(), HasSubstr("\"groups\" is missing"));
+  }
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace bimodal::synth
