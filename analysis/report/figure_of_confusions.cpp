@@ -43,7 +43,7 @@ constexpr std::array kBlues = std::to_array<Colour>({{255, 255, 255},
                                                      {8, 48, 107}});
 
 std::string colour_of(double proportion) {
-  const double place = std::clamp(proportion, 0.0, 1.0) * (kBlues.size() - 1);
+  const double place = std::clamp(proportion, 0.0, 1.0) * static_cast<double>(kBlues.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), kBlues.size() - 2);
   const double share = place - static_cast<double>(below);
   const auto mix = [&](double Colour::*part) {
@@ -96,9 +96,9 @@ class Drawing {
   std::string draw() {
     const double width = columns_.end + kRight;
     const double height = bottom_ + 8.0;
-    put("<svg class=\"matrix\" viewBox=\"0 0 {:g} {:g}\" width=\"{:g}\" height=\"{:g}\" "
-        "role=\"img\" "
-        "aria-label=\"Confusion matrix, {}, condition {}\">\n",
+    put("<svg class='matrix' viewBox='0 0 {:g} {:g}' width='{:g}' height='{:g}' "
+        "role='img' "
+        "aria-label='Confusion matrix, {}, condition {}'>\n",
         width,
         height,
         width,
@@ -121,34 +121,34 @@ class Drawing {
   static double row_top(std::size_t row) { return kTop + kCell * static_cast<double>(row); }
 
   void draw_headings() {
-    put("<text class=\"axis\" x=\"{:g}\" y=\"12\" text-anchor=\"middle\">response</text>\n",
+    put("<text class='axis' x='{:g}' y='12' text-anchor='middle'>response</text>\n",
         (kLeft + columns_.phones_end) / 2);
-    put("<text class=\"axis\" transform=\"translate(11 {:g}) rotate(-90)\" "
-        "text-anchor=\"middle\">stimulus</text>\n",
+    put("<text class='axis' transform='translate(11 {:g}) rotate(-90)' "
+        "text-anchor='middle'>stimulus</text>\n",
         (kTop + bottom_) / 2);
     for (std::size_t j = 0; j < matrix_.responses().size(); ++j) {
       const auto& label = matrix_.responses()[j];
-      put("<text class=\"{}\" x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\">{}</text>\n",
+      put("<text class='{}' x='{:g}' y='{:g}' text-anchor='middle'>{}</text>\n",
           is_phone(label) ? "label" : "extra",
           columns_.left[j] + columns_.width[j] / 2,
           kTop - 7,
           escaped(label));
     }
-    put("<text class=\"extra\" x=\"{:g}\" y=\"{:g}\" text-anchor=\"end\" "
-        "font-style=\"italic\">n</text>\n",
+    put("<text class='extra' x='{:g}' y='{:g}' text-anchor='end' "
+        "font-style='italic'>n</text>\n",
         columns_.end + kRight - 8,
         kTop - 7);
   }
 
   void draw_row(std::size_t row) {
     const double middle = row_top(row) + kCell / 2 + 4;
-    put("<text class=\"label\" x=\"{:g}\" y=\"{:g}\" text-anchor=\"end\">{}</text>\n",
+    put("<text class='label' x='{:g}' y='{:g}' text-anchor='end'>{}</text>\n",
         kLeft - 7,
         middle,
         escaped(matrix_.stimuli()[row]));
     for (std::size_t j = 0; j < matrix_.responses().size(); ++j) draw_cell(row, j, middle);
     const auto n = matrix_.row_total(row);
-    put("<text class=\"{}\" x=\"{:g}\" y=\"{:g}\" text-anchor=\"end\">{}</text>\n",
+    put("<text class='{}' x='{:g}' y='{:g}' text-anchor='end'>{}</text>\n",
         n < kFewPresentations ? "few" : "count",
         columns_.end + kRight - 8,
         middle,
@@ -159,7 +159,7 @@ class Drawing {
     const auto share = matrix_.proportion(row, column);
     const bool diagonal = matrix_.stimuli()[row] == matrix_.responses()[column];
     if (share && *share > 0.0) {
-      put("<rect x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\" fill=\"{}\"/>",
+      put("<rect x='{:g}' y='{:g}' width='{:g}' height='{:g}' fill='{}'/>",
           columns_.left[column],
           row_top(row),
           columns_.width[column],
@@ -167,14 +167,14 @@ class Drawing {
           colour_of(*share));
     }
     if (diagonal) {
-      put("<rect class=\"diagonal\" x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/>",
+      put("<rect class='diagonal' x='{:g}' y='{:g}' width='{:g}' height='{:g}'/>",
           columns_.left[column] + 1,
           row_top(row) + 1,
           columns_.width[column] - 2,
           kCell - 2);
     }
     if (share && *share > kPrintedFrom) {
-      put("<text class=\"cell\" x=\"{:g}\" y=\"{:g}\" text-anchor=\"middle\" fill=\"{}\">{}</text>",
+      put("<text class='cell' x='{:g}' y='{:g}' text-anchor='middle' fill='{}'>{}</text>",
           columns_.left[column] + columns_.width[column] / 2,
           middle - 0.5,
           *share > 0.55 ? "#fff" : "#10243e",
@@ -184,12 +184,7 @@ class Drawing {
   }
 
   void line(double x1, double y1, double x2, double y2, std::string_view style) {
-    put("<line class=\"{}\" x1=\"{:g}\" y1=\"{:g}\" x2=\"{:g}\" y2=\"{:g}\"/>\n",
-        style,
-        x1,
-        y1,
-        x2,
-        y2);
+    put("<line class='{}' x1='{:g}' y1='{:g}' x2='{:g}' y2='{:g}'/>\n", style, x1, y1, x2, y2);
   }
 
   void draw_separators() {
@@ -210,7 +205,7 @@ class Drawing {
   }
 
   void frame(double left, double right) {
-    put("<rect class=\"frame\" x=\"{:g}\" y=\"{:g}\" width=\"{:g}\" height=\"{:g}\"/>\n",
+    put("<rect class='frame' x='{:g}' y='{:g}' width='{:g}' height='{:g}'/>\n",
         left,
         kTop,
         right - left,
@@ -234,23 +229,21 @@ std::string figure_of_scale() {
   constexpr int kSteps = 50;
   constexpr double kWidth = 250.0;
   std::string text =
-      "<svg class=\"scale\" viewBox=\"0 0 290 40\" width=\"290\" height=\"40\" role=\"img\" "
-      "aria-label=\"Scale of row proportions from 0 to 1\">\n";
+      "<svg class='scale' viewBox='0 0 290 40' width='290' height='40' role='img' "
+      "aria-label='Scale of row proportions from 0 to 1'>\n";
   for (int i = 0; i < kSteps; ++i) {
-    text += fmt::format("<rect x=\"{:g}\" y=\"4\" width=\"{:g}\" height=\"14\" fill=\"{}\"/>",
+    text += fmt::format("<rect x='{:g}' y='4' width='{:g}' height='14' fill='{}'/>",
                         20.0 + i * kWidth / kSteps,
                         kWidth / kSteps + 0.4,
                         colour_of((i + 0.5) / kSteps));
   }
-  text += fmt::format("<rect class=\"frame\" x=\"20\" y=\"4\" width=\"{:g}\" height=\"14\"/>\n",
-                      kWidth);
+  text += fmt::format("<rect class='frame' x='20' y='4' width='{:g}' height='14'/>\n", kWidth);
   for (int tick = 0; tick <= 4; ++tick) {
-    text +=
-        fmt::format("<text class=\"tick\" x=\"{:g}\" y=\"33\" text-anchor=\"middle\">{}</text>\n",
-                    20.0 + kWidth * tick / 4.0,
-                    tick == 0   ? "0"
-                    : tick == 4 ? "1"
-                                : print_proportion(tick / 4.0));
+    text += fmt::format("<text class='tick' x='{:g}' y='33' text-anchor='middle'>{}</text>\n",
+                        20.0 + kWidth * tick / 4.0,
+                        tick == 0   ? "0"
+                        : tick == 4 ? "1"
+                                    : print_proportion(tick / 4.0));
   }
   return text + "</svg>\n";
 }

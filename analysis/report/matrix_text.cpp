@@ -68,7 +68,7 @@ std::string matrix_text(const UnitConfusions& confusions) {
                         matrix.correct(),
                         total,
                         100.0 * static_cast<double>(matrix.correct()) / static_cast<double>(total));
-  text += fmt::format("Not in the table: {} ambiguous alignments, {} words without this unit.\n",
+  text += fmt::format("Not in the table: ambiguous alignments {}, words without this unit {}.\n",
                       confusions.ambiguous,
                       confusions.lacking);
   return text;

@@ -21,7 +21,7 @@ std::string titles_of(const Dataset& dataset) {
 
 std::string lead(const Results& results, const Making& making) {
   return fmt::format(
-      "<p class=\"lead\">{} participant{}, {} trials in {} condition{}; {}. Made {} by {}.</p>\n",
+      "<p class='lead'>{} participant{}, {} trials in {} condition{}; {}. Made {} by {}.</p>\n",
       results.participants.size(),
       results.participants.size() == 1 ? "" : "s",
       results.dataset.trials.size(),
@@ -39,8 +39,8 @@ std::string report_page(const Results& results,
                         const Making& making) {
   const auto title = escaped(titles_of(results.dataset));
   std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<!DOCTYPE html>\n<html lang='en'>\n<head>\n<meta charset='utf-8'/>\n"
+      "<meta name='viewport' content='width=device-width, initial-scale=1'/>\n"
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
       title,
       page_style(),

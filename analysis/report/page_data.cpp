@@ -24,7 +24,7 @@ std::string simulated_banner(const Dataset& dataset) {
   }
   if (simulated == 0) return {};
   return fmt::format(
-      "<div class=\"simulated\"><strong>SIMULATED</strong><br/>{} of {} sessions {} simulated{}; "
+      "<div class='simulated'><strong>SIMULATED</strong><br/>{} of {} sessions {} simulated{}; "
       "{} "
       "numbers below say {} about people.</div>\n",
       simulated,
@@ -41,9 +41,9 @@ std::string rows_of_sessions(const Dataset& dataset) {
   std::string rows;
   for (const auto& session : dataset.sessions) {
     rows += fmt::format(
-        "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td>"
-        "<td>{}{}</td><td class=\"number\">{} / {}</td><td class=\"number\">{}</td>"
-        "<td class=\"number\">{}</td></tr>\n",
+        "<tr><td>{}</td><td class='number'>{}</td><td class='number'>{}</td><td>{}</td>"
+        "<td>{}{}</td><td class='number'>{} / {}</td><td class='number'>{}</td>"
+        "<td class='number'>{}</td></tr>\n",
         escaped(session.participant),
         session.session_number,
         session.file + 1,
@@ -60,15 +60,14 @@ std::string rows_of_sessions(const Dataset& dataset) {
 
 std::string rows_of_exclusions(const Dataset& dataset) {
   std::string rows =
-      fmt::format("<tr><td>Stored</td><td class=\"number\">{}</td></tr>\n", dataset.stored_trials);
+      fmt::format("<tr><td>Stored</td><td class='number'>{}</td></tr>\n", dataset.stored_trials);
   for (const auto& exclusion : dataset.exclusions) {
-    rows += fmt::format("<tr><td>Left out: {}</td><td class=\"number\">{}</td></tr>\n",
+    rows += fmt::format("<tr><td>Left out: {}</td><td class='number'>{}</td></tr>\n",
                         escaped(exclusion.reason),
                         exclusion.trials);
   }
-  return rows +
-         fmt::format("<tr class=\"first\"><td>Analysed</td><td class=\"number\">{}</td></tr>\n",
-                     dataset.trials.size());
+  return rows + fmt::format("<tr class='first'><td>Analysed</td><td class='number'>{}</td></tr>\n",
+                            dataset.trials.size());
 }
 
 }  // namespace
@@ -76,7 +75,7 @@ std::string rows_of_exclusions(const Dataset& dataset) {
 std::string part_of_warnings(const Results& results) {
   std::string part = simulated_banner(results.dataset);
   if (results.warnings.empty()) return part;
-  part += "<div class=\"warnings\"><h2>Before you read the numbers</h2><ul>\n";
+  part += "<div class='warnings'><h2>Before you read the numbers</h2><ul>\n";
   for (const auto& warning : results.warnings) {
     part += fmt::format("<li>{}</li>\n", escaped(warning));
   }
@@ -87,21 +86,20 @@ std::string part_of_data(const Results& results) {
   const auto& dataset = results.dataset;
   std::string files;
   for (std::size_t i = 0; i < dataset.files.size(); ++i) {
-    files +=
-        fmt::format("<tr><td class=\"number\">{}</td><td>{}</td><td class=\"hash\">{}</td></tr>\n",
-                    i + 1,
-                    escaped(dataset.files[i].name),
-                    dataset.files[i].sha256);
+    files += fmt::format("<tr><td class='number'>{}</td><td>{}</td><td class='hash'>{}</td></tr>\n",
+                         i + 1,
+                         escaped(dataset.files[i].name),
+                         dataset.files[i].sha256);
   }
   return fmt::format(
-      "<h2 id=\"data\">Data</h2>\n<h3>Trials</h3>\n<table><tbody>{}</tbody></table>\n"
-      "<h3>Files</h3>\n<table><thead><tr><th class=\"number\">No.</th><th>File</th><th>SHA-256</th>"
-      "</tr></thead><tbody>{}<tr><td></td><td>{} <span class=\"note\">(dictionary)</span></td>"
-      "<td class=\"hash\">{}</td></tr></tbody></table>\n<h3>Sessions</h3>\n<table><thead><tr>"
-      "<th>Participant</th><th class=\"number\">Session</th><th class=\"number\">File</th>"
-      "<th>Started (UTC)</th><th>Outcome</th><th class=\"number\">Stored / planned</th>"
-      "<th class=\"number\">Analysed</th><th class=\"number\">Flagged</th></tr></thead>\n"
-      "<tbody>{}</tbody></table>\n<p class=\"note\">Stored and planned trials include practice. "
+      "<h2 id='data'>Data</h2>\n<h3>Trials</h3>\n<table><tbody>{}</tbody></table>\n"
+      "<h3>Files</h3>\n<table><thead><tr><th class='number'>No.</th><th>File</th><th>SHA-256</th>"
+      "</tr></thead><tbody>{}<tr><td></td><td>{} <span class='note'>(dictionary)</span></td>"
+      "<td class='hash'>{}</td></tr></tbody></table>\n<h3>Sessions</h3>\n<table><thead><tr>"
+      "<th>Participant</th><th class='number'>Session</th><th class='number'>File</th>"
+      "<th>Started (UTC)</th><th>Outcome</th><th class='number'>Stored / planned</th>"
+      "<th class='number'>Analysed</th><th class='number'>Flagged</th></tr></thead>\n"
+      "<tbody>{}</tbody></table>\n<p class='note'>Stored and planned trials include practice. "
       "Flagged: the timing was not as planned.</p>\n",
       rows_of_exclusions(dataset),
       files,
@@ -112,14 +110,14 @@ std::string part_of_data(const Results& results) {
 
 std::string part_of_attachments(std::span<const Attachment> attachments) {
   if (attachments.empty()) return {};
-  std::string part = "<h2 id=\"trial\">The stimulus of one trial</h2>\n<div class=\"trial\">\n";
+  std::string part = "<h2 id='trial'>The stimulus of one trial</h2>\n<div class='trial'>\n";
   for (const auto& attachment : attachments) {
     const auto source =
         fmt::format("data:{};base64,{}", attachment.media_type, base64(attachment.bytes));
     const auto caption = escaped(attachment.caption);
     part += attachment.kind == Attachment::Kind::Picture
-                ? fmt::format("<figure><img src=\"{}\" alt=\"{}\"/>", source, caption)
-                : fmt::format("<figure><audio controls=\"controls\" src=\"{}\"></audio>", source);
+                ? fmt::format("<figure><img src='{}' alt='{}'/>", source, caption)
+                : fmt::format("<figure><audio controls='controls' src='{}'></audio>", source);
     part += fmt::format("<figcaption>{}</figcaption></figure>\n", caption);
   }
   return part + "</div>\n";
@@ -139,12 +137,12 @@ is taken. Where equally good alignments disagree about a phone, that phone is <i
 out of its matrix, with its count in the caption. All phones of a correct word are correct.</dd>
 <dt>Units</dt><dd>Initial consonant: the first phone, if a consonant (in a cluster, its first). Vowel:
 the first. Final consonant: the last phone, if a consonant.</dd>
-<dt>Intervals</dt><dd>95 %. Pooled: crossed bootstrap. Participants and words are drawn anew with
+<dt>Intervals</dt><dd>95&#160;%. Pooled: crossed bootstrap. Participants and words are drawn anew with
 replacement, independently, {} times (seed {}); a cell counts as often as its participant times its
 word was drawn; percentiles of the proportions. It errs on the wide side (Owen, 2007, <i>Annals of
 Applied Statistics 1</i>, 386&#8211;411): in simulated experiments of 20 participants, 60 words and three
-conditions it held the true value in 98 % of 300, where an interval for independent trials (Wilson) held
-it in 77 %. One participant: Wilson&#8217;s score interval, which speaks of that participant only.
+conditions it held the true value in 98&#160;% of 300, where an interval for independent trials (Wilson) held
+it in 77&#160;%. One participant: Wilson&#8217;s score interval, which speaks of that participant only.
 No interval is given where every answer, or none, was correct.</dd>
 </dl>
 )",

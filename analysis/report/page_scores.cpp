@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -31,9 +32,9 @@ std::string rows_of_answers(const Results& results) {
   std::string rows;
   for (const auto& condition : results.conditions) {
     rows += fmt::format(
-        "<tr><td><b>{}</b></td><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
-        "<td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
-        "<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
+        "<tr><td><b>{}</b></td><td>{}</td><td class='number'>{}</td><td class='number'>{}</td>"
+        "<td class='number'>{}</td><td class='number'>{}</td><td class='number'>{}</td>"
+        "<td class='number'>{}</td><td class='number'>{}</td></tr>\n",
         escaped(condition.name),
         escaped(condition.meaning),
         condition.participants,
@@ -54,9 +55,9 @@ std::string rows_of_pooled(const Results& results) {
     for (const auto& pooled : results.pooled) {
       if (pooled.measure != measure) continue;
       rows += fmt::format(
-          "<tr{}><td>{}</td><td>{}</td><td class=\"number\">{} / {}</td>"
-          "<td class=\"estimate\">{}</td><td class=\"note\">{}</td></tr>\n",
-          first ? " class=\"first\"" : "",
+          "<tr{}><td>{}</td><td>{}</td><td class='number'>{} / {}</td>"
+          "<td class='estimate'>{}</td><td class='note'>{}</td></tr>\n",
+          first ? " class='first'" : "",
           first ? title_of(measure) : "",
           escaped(pooled.condition),
           pooled.correct,
@@ -85,9 +86,9 @@ std::string rows_of_individuals(const Results& results, Measure measure) {
     rows += fmt::format("<tr><td>{}</td>", escaped(participant));
     for (const auto& condition : results.conditions) {
       const auto* const own = find_own(results, participant, condition.name, measure);
-      rows += own == nullptr ? std::string{"<td class=\"estimate\">&#8211;</td>"}
+      rows += own == nullptr ? std::string{"<td class='estimate'>&#8211;</td>"}
                              : fmt::format(
-                                   "<td class=\"estimate\">{} <span class=\"note\">{}/{}"
+                                   "<td class='estimate'>{} <span class='note'>{}/{}"
                                    "</span></td>",
                                    print_estimate(*own),
                                    own->correct,
@@ -103,11 +104,11 @@ std::string table_of_individuals(const Results& results,
                                  std::string_view interval) {
   std::string heads;
   for (const auto& condition : results.conditions) {
-    heads += fmt::format("<th class=\"estimate\">{}</th>", escaped(condition.name));
+    heads += fmt::format("<th class='estimate'>{}</th>", escaped(condition.name));
   }
   return fmt::format(
       "<h3>{}, each participant</h3>\n<table><thead><tr><th>Participant</th>{}</tr></thead>\n"
-      "<tbody>{}</tbody></table>\n<p class=\"note\">Proportion correct [95 % interval: {}] and "
+      "<tbody>{}</tbody></table>\n<p class='note'>Proportion correct [95 % interval: {}] and "
       "counts.</p>\n",
       title_of(measure),
       heads,
@@ -130,15 +131,15 @@ std::string print_estimate(const Proportion& proportion) {
 
 std::string part_of_words(const Results& results) {
   return fmt::format(
-      "<h2 id=\"words\">Words correct</h2>\n<figure>{}<figcaption><b>Figure 1.</b> Proportion of "
+      "<h2 id='words'>Words correct</h2>\n<figure>{}<figcaption><b>Figure 1.</b> Proportion of "
       "words identified correctly. Bar and number: all trials of the condition pooled, with its "
       "95 % interval (methods in the table of proportions); dots: participants.</figcaption>"
       "</figure>\n<h3>What was answered</h3>\n<table><thead><tr><th>Condition</th>"
-      "<th>Presented</th><th class=\"number\">Participants</th><th class=\"number\">Trials</th>"
-      "<th class=\"number\">Correct</th><th class=\"number\">Homophone</th>"
-      "<th class=\"number\">Wrong word</th><th class=\"number\">Not in dictionary</th>"
-      "<th class=\"number\">Blank</th></tr></thead>\n<tbody>{}</tbody></table>\n"
-      "<p class=\"note\">Each trial is in one of the last five columns. Correct words are the "
+      "<th>Presented</th><th class='number'>Participants</th><th class='number'>Trials</th>"
+      "<th class='number'>Correct</th><th class='number'>Homophone</th>"
+      "<th class='number'>Wrong word</th><th class='number'>Not in dictionary</th>"
+      "<th class='number'>Blank</th></tr></thead>\n<tbody>{}</tbody></table>\n"
+      "<p class='note'>Each trial is in one of the last five columns. Correct words are the "
       "first "
       "two of them.</p>\n",
       figure_of_words(results),
@@ -147,11 +148,11 @@ std::string part_of_words(const Results& results) {
 
 std::string part_of_proportions(const Results& results) {
   return fmt::format(
-             "<h2 id=\"proportions\">Proportions correct</h2>\n<h3>All participants</h3>\n"
-             "<table><thead><tr><th>Of</th><th>Condition</th><th class=\"number\">Correct / judged"
-             "</th><th class=\"estimate\">Proportion [95 % interval]</th><th>Interval by</th></tr>"
+             "<h2 id='proportions'>Proportions correct</h2>\n<h3>All participants</h3>\n"
+             "<table><thead><tr><th>Of</th><th>Condition</th><th class='number'>Correct / judged"
+             "</th><th class='estimate'>Proportion [95 % interval]</th><th>Interval by</th></tr>"
              "</thead>\n<tbody>{}</tbody></table>\n"
-             "<p class=\"note\">Phonemes: all phones of the stimulus; answers that are not in the "
+             "<p class='note'>Phonemes: all phones of the stimulus; answers that are not in the "
              "dictionary are left out, blank ones count as wrong. Consonants and vowels: as in the "
              "matrices below, so that answers not in the dictionary (&#8220;other&#8221;) and "
              "blank "
@@ -166,7 +167,7 @@ std::string part_of_proportions(const Results& results) {
 
 std::string part_of_confusions(const Results& results) {
   std::string part =
-      "<h2 id=\"confusions\">Confusions</h2>\n<p>Rows are the phones presented, columns those "
+      "<h2 id='confusions'>Confusions</h2>\n<p>Rows are the phones presented, columns those "
       "answered; both in order of place of articulation, front to back (vowels: front to back, "
       "then "
       "diphthongs), with thin lines between places. Cells are proportions of their row: colour on "
@@ -183,14 +184,14 @@ std::string part_of_confusions(const Results& results) {
     last = &table.unit;
     const auto total = table.matrix.total();
     part += fmt::format(
-        "<figure>{}<figcaption><b>Figure {}. {}, condition {}.</b> {} Left out: {} ambiguous "
-        "alignments; {} words have none.</figcaption></figure>\n",
+        "<figure>{}<figcaption><b>Figure {}. {}, condition {}.</b> {} Left out as ambiguous: {}. "
+        "Words without: {}.</figcaption></figure>\n",
         figure_of_confusions(table),
         ++number,
         title(table.unit),
         escaped(table.condition),
         total == 0 ? std::string{"No responses."}
-                   : fmt::format("{:.1f} % correct ({} of {}, all columns counted).",
+                   : fmt::format("{:.1f}&#160;% correct ({} of {}, all columns counted).",
                                  100.0 * static_cast<double>(table.matrix.correct()) /
                                      static_cast<double>(total),
                                  table.matrix.correct(),
@@ -210,8 +211,8 @@ std::string part_of_likeness(const Results& results) {
   std::string rows;
   for (const auto& row : results.likeness) {
     rows += fmt::format(
-        "<tr><td>{}</td><td>{} &#183; {}</td><td class=\"number\">{}</td><td class=\"number\">{}"
-        "</td><td class=\"number\">{} ({})</td><td class=\"number\">{} &#183; {}</td></tr>\n",
+        "<tr><td>{}</td><td>{} &#183; {}</td><td class='number'>{}</td><td class='number'>{}"
+        "</td><td class='number'>{} ({})</td><td class='number'>{} &#183; {}</td></tr>\n",
         title(row.unit),
         escaped(row.one),
         escaped(row.other),
@@ -223,11 +224,11 @@ std::string part_of_likeness(const Results& results) {
         row.trials_of_other);
   }
   return fmt::format(
-      "<h2 id=\"likeness\">How alike the errors are</h2>\n<table><thead><tr><th>Unit</th>"
-      "<th>Conditions</th><th class=\"number\">Correlation <i>r</i></th><th class=\"number\">RMS "
-      "difference</th><th class=\"number\">Cells (not empty)</th><th "
-      "class=\"number\">Responses</th>"
-      "</tr></thead>\n<tbody>{}</tbody></table>\n<p class=\"note\">Over off-diagonal cells (phones "
+      "<h2 id='likeness'>How alike the errors are</h2>\n<table><thead><tr><th>Unit</th>"
+      "<th>Conditions</th><th class='number'>Correlation <i>r</i></th><th class='number'>RMS "
+      "difference</th><th class='number'>Cells (not empty)</th><th "
+      "class='number'>Responses</th>"
+      "</tr></thead>\n<tbody>{}</tbody></table>\n<p class='note'>Over off-diagonal cells (phones "
       "and <i>deleted</i>) of row proportions. Descriptive: cells empty in both conditions raise "
       "<i>r</i>, few presentations lower it, and no test is made; two conditions of the same "
       "participants are not independent.</p>\n",

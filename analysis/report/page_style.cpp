@@ -40,7 +40,7 @@ svg text { fill: var(--ink); }
 .matrix .label { font-size: 12px; font-weight: 600; }
 .matrix .extra { font-size: 11px; }
 .matrix .cell { font-size: 10.5px; }
-.matrix text.cell[fill="#fff"] { fill: #fff; }
+.matrix text.cell[fill='#fff'] { fill: #fff; }
 .matrix .count { font-size: 11px; }
 .matrix .few { font-size: 11px; fill: #b35806; font-style: italic; }
 .axis { font-size: 12px; fill: var(--soft); }

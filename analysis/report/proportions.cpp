@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -47,30 +48,48 @@ Tally tally(const Score& score, Measure measure) {
 
 /// Trials of one condition as participants crossed with words.
 struct Crossing {
-  std::vector<std::string> participants;
+  std::size_t participants = 0;
   std::size_t words = 0;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> places;  ///< participant, word of each trial
   std::vector<const Score*> scores;                             ///< parallel to places
 };
 
-/// Only what occurs is numbered, so that the bootstrap draws from what was there.
+/// The trials of one participant in one condition.
+struct OwnTrials {
+  std::string participant;
+  std::vector<std::size_t> indices;
+};
+
+/// In the order of `participants`; those without a trial are left out.
+std::vector<OwnTrials> sort_by_participant(std::span<const Trial> trials,
+                                           const std::string& condition,
+                                           std::span<const std::string> participants) {
+  std::map<std::string_view, std::vector<std::size_t>> indices;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (trials[i].condition == condition) indices[trials[i].participant].push_back(i);
+  }
+  std::vector<OwnTrials> sorted;
+  for (const auto& participant : participants) {
+    const auto found = indices.find(participant);
+    if (found != indices.end()) sorted.push_back({participant, found->second});
+  }
+  return sorted;
+}
+
+/// Only words that occur are numbered, so that the bootstrap draws from what was there.
 Crossing cross(std::span<const Trial> trials,
                std::span<const Score> scores,
-               const std::string& condition,
-               std::span<const std::string> participants) {
+               std::span<const OwnTrials> participants) {
   Crossing crossing;
-  std::map<std::string_view, std::uint32_t> words;
-  for (const auto& participant : participants) {
-    const auto index = static_cast<std::uint32_t>(crossing.participants.size());
-    bool took_part = false;
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-      if (trials[i].participant != participant || trials[i].condition != condition) continue;
-      const auto word = words.try_emplace(trials[i].word, static_cast<std::uint32_t>(words.size()));
-      crossing.places.emplace_back(index, word.first->second);
+  crossing.participants = participants.size();
+  std::unordered_map<std::string_view, std::uint32_t> words;
+  for (std::uint32_t p = 0; p < participants.size(); ++p) {
+    for (const auto i : participants[p].indices) {
+      const auto next = static_cast<std::uint32_t>(words.size());
+      const auto word = words.try_emplace(trials[i].word, next).first->second;
+      crossing.places.emplace_back(p, word);
       crossing.scores.push_back(&scores[i]);
-      took_part = true;
     }
-    if (took_part) crossing.participants.push_back(participant);
   }
   crossing.words = words.size();
   return crossing;
@@ -92,7 +111,7 @@ std::vector<CrossedCell> cells_of(const Crossing& crossing, Measure measure) {
 Proportion sum_up(std::span<const CrossedCell> cells, const Crossing& crossing, Measure measure) {
   Proportion sum;
   sum.measure = measure;
-  sum.participants = static_cast<std::int64_t>(crossing.participants.size());
+  sum.participants = static_cast<std::int64_t>(crossing.participants);
   sum.words = static_cast<std::int64_t>(crossing.words);
   for (const auto& cell : cells) {
     sum.correct += cell.successes;
@@ -132,13 +151,30 @@ void estimate(Proportion& sum,
   }
 }
 
-std::vector<Proportion> measure_all(const Crossing& crossing, CrossedBootstrap::Options options) {
-  const CrossedBootstrap bootstrap{crossing.participants.size(), crossing.words, options};
+/// Makes each resampling plan once: drawing it costs more than using it, and one of the same size
+/// serves every participant.
+class Bootstraps {
+ public:
+  explicit Bootstraps(CrossedBootstrap::Options options) : options_{options} {}
+
+  const CrossedBootstrap& of(const Crossing& crossing) {
+    const auto size = std::pair{crossing.participants, crossing.words};
+    return made_.try_emplace(size, size.first, size.second, options_).first->second;
+  }
+
+ private:
+  CrossedBootstrap::Options options_;
+  std::map<std::pair<std::size_t, std::size_t>, CrossedBootstrap> made_;
+};
+
+std::vector<Proportion> measure_all(const Crossing& crossing,
+                                    const CrossedBootstrap& bootstrap,
+                                    int draws) {
   std::vector<Proportion> proportions;
   for (const Measure measure : kMeasures) {
     const auto cells = cells_of(crossing, measure);
     auto sum = sum_up(cells, crossing, measure);
-    estimate(sum, cells, bootstrap, options.draws);
+    estimate(sum, cells, bootstrap, draws);
     proportions.push_back(std::move(sum));
   }
   return proportions;
@@ -156,12 +192,14 @@ std::vector<Proportion> measure_condition(std::span<const Trial> trials,
                                           std::span<const std::string> participants,
                                           CrossedBootstrap::Options options) {
   assert(trials.size() == scores.size());
-  const auto pooled = cross(trials, scores, condition, participants);
-  auto proportions = measure_all(pooled, options);
-  for (const auto& participant : pooled.participants) {
-    const auto own = cross(trials, scores, condition, {&participant, 1});
-    for (auto& proportion : measure_all(own, options)) {
-      proportion.participant = participant;
+  const auto sorted = sort_by_participant(trials, condition, participants);
+  const auto pooled = cross(trials, scores, sorted);
+  Bootstraps bootstraps{options};
+  auto proportions = measure_all(pooled, bootstraps.of(pooled), options.draws);
+  for (const auto& own_trials : sorted) {
+    const auto own = cross(trials, scores, {&own_trials, 1});
+    for (auto& proportion : measure_all(own, bootstraps.of(own), options.draws)) {
+      proportion.participant = own_trials.participant;
       proportions.push_back(std::move(proportion));
     }
   }

@@ -1,6 +1,7 @@
 #include "analysis/report/results.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -15,7 +16,10 @@ namespace {
 std::string meaning(const Trial& trial) {
   std::string text;
   if (trial.auditory_talker) text += "heard " + *trial.auditory_talker;
-  if (trial.snr_db) text += fmt::format(" at {} dB S/N", *trial.snr_db);
+  if (trial.snr_db) {
+    const std::string_view minus = *trial.snr_db < 0.0 ? "\u2212" : "";
+    text += fmt::format(" at {}{} dB S/N", minus, std::abs(*trial.snr_db));
+  }
   if (trial.visual_talker) {
     text += fmt::format("{}seen {}", text.empty() ? "" : "; ", *trial.visual_talker);
   }

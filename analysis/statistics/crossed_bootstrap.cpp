@@ -57,8 +57,8 @@ std::vector<double> CrossedBootstrap::replicates(std::span<const CrossedCell> ce
   std::vector<double> proportions;
   proportions.reserve(draws_);
   for (std::size_t draw = 0; draw < draws_; ++draw) {
-    const auto* const participant_count = &participant_counts_[draw * participants_];
-    const auto* const word_count = &word_counts_[draw * words_];
+    const auto* const participant_count = participant_counts_.data() + draw * participants_;
+    const auto* const word_count = word_counts_.data() + draw * words_;
     std::uint64_t successes = 0;
     std::uint64_t trials = 0;
     for (const auto& row : rows) {

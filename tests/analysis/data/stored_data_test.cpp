@@ -123,7 +123,7 @@ TEST(GatherTrials, WarnsOfWhatMakesNumbersLessThanTheySeem) {
                   HasSubstr("1 answer was cut off by the time limit")));
 }
 
-TEST(ReadStoredFiles, RefusesTheSameContentTwice) {
+TEST(ReadStoredFiles, RefusesAFileThatIsNotThere) {
   const examples::Folder folder;
   const std::vector<std::filesystem::path> missing{folder / "none.sqlite"};
   EXPECT_THROW(static_cast<void>(read_stored_files(missing)), Error);

@@ -32,11 +32,12 @@ TEST(ConfusionMatrix, HasNoProportionWhereAStimulusNeverOccurred) {
 TEST(CompareErrors, CorrelatesOffDiagonalRowProportions) {
   ConfusionMatrix one{{"P", "B"}, {"P", "B", "M", "blank"}};
   ConfusionMatrix other = one;
-  const auto fill = [](ConfusionMatrix& matrix, std::string_view row, std::vector<int> counts) {
-    for (std::size_t j = 0; j < counts.size(); ++j) {
-      for (int k = 0; k < counts[j]; ++k) matrix.add(row, matrix.responses()[j]);
-    }
-  };
+  const auto fill =
+      [](ConfusionMatrix& matrix, std::string_view row, const std::vector<int>& counts) {
+        for (std::size_t j = 0; j < counts.size(); ++j) {
+          for (int k = 0; k < counts[j]; ++k) matrix.add(row, matrix.responses()[j]);
+        }
+      };
   fill(one, "P", {5, 3, 1, 1});
   fill(one, "B", {4, 4, 2, 0});
   fill(other, "P", {2, 2, 0, 0});

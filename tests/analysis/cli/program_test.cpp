@@ -1,0 +1,167 @@
+#include "analysis/cli/program.hpp"
+
+#include <filesystem>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "runner/store/session_store.hpp"
+#include "stimuli/base/digest.hpp"
+#include "tests/analysis/examples.hpp"
+
+namespace bimodal::analysis {
+namespace {
+
+using examples::stored_trial;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+class Program : public testing::Test {
+ protected:
+  struct Run {
+    Exit code = Exit::Internal;
+    std::string out;
+    std::string err;
+  };
+
+  static Run run(const std::vector<std::string>& arguments) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const auto code = run_program(arguments, {.out = out, .err = err});
+    return {code, out.str(), err.str()};
+  }
+
+  /// A data file with one session, as `bimodal run` would leave it.
+  [[nodiscard]] std::string store(const std::string& file,
+                                  const std::string& participant,
+                                  const std::vector<runner::StoredTrial>& trials) const {
+    const auto path = folder_ / file;
+    const auto stored = examples::session(participant, trials);
+    const auto opened = runner::open_sqlite_store(path);
+    std::vector<runner::PlanRecord> plan;
+    for (const auto& trial : trials) plan.push_back(trial.plan);
+    const auto session = opened->begin(stored.session, plan);
+    for (const auto& trial : trials) opened->add(session, trial.trial);
+    opened->end(session, "complete", "2026-11-22T11:00:00Z");
+    return path.string();
+  }
+
+  [[nodiscard]] std::string dictionary() const {
+    return folder_.write("words.dict", examples::kDictionaryText).string();
+  }
+
+  [[nodiscard]] std::filesystem::path in_folder(std::string_view name) const {
+    return folder_ / name;
+  }
+
+ private:
+  examples::Folder folder_;
+};
+
+TEST_F(Program, PrintsAMatrixOfStoredSessionsAsCsv) {
+  const auto data = store("a.sqlite",
+                          "P01",
+                          {stored_trial(0, "bat", "B AE T", "pat"),
+                           stored_trial(1, "red", "R EH D", "read"),
+                           stored_trial(2, "bed", "B EH D", " ")});
+  const auto printed = run({"matrix",
+                            data,
+                            "--unit",
+                            "consonant-initial",
+                            "--condition",
+                            "auditory",
+                            "--csv",
+                            "--dictionary",
+                            dictionary()});
+  EXPECT_EQ(printed.code, Exit::Done);
+  EXPECT_THAT(printed.err, IsEmpty());
+  EXPECT_EQ(printed.out,
+            "\"stimulus\",\"P\",\"B\",\"R\",\"deleted\",\"blank\",\"other\"\n"
+            "\"B\",1,0,0,0,1,0\n"
+            "\"R\",0,0,1,0,0,0\n");
+}
+
+TEST_F(Program, WritesTheReportAndPrintsItsPathLast) {
+  const std::vector data{store("a.sqlite", "P01", {stored_trial(0, "bat", "B AE T", "pat")}),
+                         store("b.sqlite", "P02", {stored_trial(0, "bat", "B AE T", "bat")})};
+  const auto folder = in_folder("deep/report");
+  const auto made =
+      run({"report", data[0], data[1], "-o", folder.string(), "--dictionary", dictionary()});
+  EXPECT_EQ(made.code, Exit::Done) << made.err;
+  EXPECT_EQ(made.out, (folder / "report.html").string() + "\n");
+  const auto page = read_file(folder / "report.html");
+  EXPECT_THAT(page, HasSubstr(sha256_of_file(data[1])));
+  EXPECT_THAT(page, HasSubstr("2 participants, 2 trials in 1 condition"));
+  EXPECT_THAT(read_file(folder / "confusions.csv"), HasSubstr("\"B\",\"P\",1,2,0.5"));
+}
+
+TEST_F(Program, SaysWhyThereIsNothingToAnalyse) {
+  auto practice = stored_trial(0, "bat", "B AE T", "pat");
+  practice.plan.phase = "practice";
+  const auto data = store("a.sqlite", "P01", {practice});
+  const auto made =
+      run({"report", data, "-o", in_folder("report").string(), "--dictionary", dictionary()});
+  EXPECT_EQ(made.code, Exit::Findings);
+  EXPECT_EQ(made.err,
+            "bimodal-analysis: no trial left to analyse: 1 stored in 1 session(s), left out: 1 x "
+            "practice trial; check the selection (--include-practice counts practice trials)\n");
+  EXPECT_FALSE(std::filesystem::exists(in_folder("report")));
+}
+
+TEST_F(Program, NamesTheConditionsThatThereAre) {
+  auto other = stored_trial(1, "bat", "B AE T", "pat");
+  other.plan.condition = "visual";
+  const auto data = store("a.sqlite", "P01", {stored_trial(0, "bat", "B AE T", "pat"), other});
+  const auto ambiguous = run({"matrix", data, "--unit", "vowel", "--dictionary", dictionary()});
+  EXPECT_EQ(ambiguous.code, Exit::InvalidInput);
+  EXPECT_EQ(
+      ambiguous.err,
+      "bimodal-analysis: printing a confusion matrix: the data have several conditions; choose "
+      "with --condition one of: auditory, visual\n");
+  const auto unknown =
+      run({"matrix", data, "--unit", "vowel", "--condition", "av", "--dictionary", dictionary()});
+  EXPECT_EQ(unknown.code, Exit::InvalidInput);
+  EXPECT_THAT(unknown.err, HasSubstr("the data have no condition \"av\""));
+}
+
+TEST_F(Program, RefusesTheSameFileTwice) {
+  const auto data = store("a.sqlite", "P01", {stored_trial(0, "bat", "B AE T", "pat")});
+  const auto copy = in_folder("copy.sqlite");
+  std::filesystem::copy_file(data, copy);
+  const auto made = run({"matrix", data, copy.string(), "--unit", "vowel"});
+  EXPECT_EQ(made.code, Exit::InvalidInput);
+  EXPECT_EQ(made.err,
+            "bimodal-analysis: reading '" + copy.string() + "': it has the same content as '" +
+                data + "'; give each file once\n");
+}
+
+TEST_F(Program, ExitsAsItsHelpSays) {
+  EXPECT_EQ(run({"--help"}).code, Exit::Done);
+  EXPECT_THAT(run({"matrix", "--help"}).out, HasSubstr("Examples:"));
+  EXPECT_THAT(run({"report", "--help"}).out, HasSubstr("Examples:"));
+  EXPECT_THAT(run({"--version"}).out, StartsWith("bimodal-analysis "));
+  EXPECT_EQ(run({}).code, Exit::Usage);
+  EXPECT_EQ(run({"matrix", "x.sqlite", "--unit", "consonant"}).code, Exit::Usage);
+  EXPECT_EQ(run({"matrix", "no-such.sqlite", "--unit", "vowel"}).code, Exit::InvalidInput);
+}
+
+TEST_F(Program, CallsAFileThatIsNoStoreAStoreError) {
+  const examples::Folder folder;
+  const auto file = folder.write("text.sqlite", "this is no database at all");
+  EXPECT_EQ(run({"matrix", file.string(), "--unit", "vowel"}).code, Exit::Store);
+}
+
+TEST_F(Program, RefusesAnAttachmentThatNoBrowserShows) {
+  const examples::Folder folder;
+  const auto file = folder.write("a:b.txt", "text");
+  const auto made = run(
+      {"report", "x.sqlite", "-o", "nowhere", "--attach-picture", file.string() + ":a: caption"});
+  EXPECT_EQ(made.code, Exit::InvalidInput);
+  EXPECT_EQ(made.err,
+            "bimodal-analysis: attaching '" + file.string() +
+                "' to the report: it is no PNG or JPEG picture; convert it\n");
+}
+
+}  // namespace
+}  // namespace bimodal::analysis
