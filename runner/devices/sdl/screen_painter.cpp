@@ -100,7 +100,10 @@ int part_of(int whole, double part) {
 ScreenPainter::ScreenPainter(const Colour& background)
     : background_{background},
       picture_program_{linked_program(kPictureShader)},
-      ink_program_{linked_program(kInkShader)} {
+      ink_program_{linked_program(kInkShader)},
+      picture_window_{glGetUniformLocation(picture_program_, "window")},
+      ink_window_{glGetUniformLocation(ink_program_, "window")},
+      full_coverage_{new_texture()} {
   captions_.reserve(kKeptCaptions);
   glGenVertexArrays(1, &layout_);
   glBindVertexArray(layout_);
@@ -121,11 +124,8 @@ ScreenPainter::ScreenPainter(const Colour& background)
   glUseProgram(ink_program_);
   const auto ink = ink_on(background);
   glUniform3fv(glGetUniformLocation(ink_program_, "ink"), 1, ink.data());
-  picture_window_ = glGetUniformLocation(picture_program_, "window");
-  ink_window_ = glGetUniformLocation(ink_program_, "window");
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  full_coverage_ = new_texture();
   constexpr std::uint8_t kInk = 255;
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, 1, 1, 0, GL_RED, GL_UNSIGNED_BYTE, &kInk);
   warm_up();

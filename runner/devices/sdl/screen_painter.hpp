@@ -48,7 +48,7 @@ class ScreenPainter {
 
   void warm_up();
   static void use(std::uint32_t program, int window_place, SdlWindow::Size window);
-  void fill(const Box& box, std::uint32_t texture);
+  static void fill(const Box& box, std::uint32_t texture);
   void draw_picture(const Picture& picture, SdlWindow::Size window);
   void draw_caption(const Caption& caption, SdlWindow::Size window);
   void draw_fixation(SdlWindow::Size window);
