@@ -111,14 +111,10 @@ ScreenPainter::ScreenPainter(const Colour& background)
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
   glBufferData(GL_ARRAY_BUFFER, 16 * sizeof(float), nullptr, GL_STREAM_DRAW);
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 4 * sizeof(float), nullptr);
-  glVertexAttribPointer(
-      1,
-      2,
-      GL_FLOAT,
-      GL_FALSE,
-      4 * sizeof(float),
-      reinterpret_cast<const void*>(
-          2 * sizeof(float)));  // NOLINT(performance-no-int-to-ptr): OpenGL's offset
+  constexpr auto kAfterPlace = 2 * sizeof(float);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset in the shape of a pointer
+  const auto* after_place = reinterpret_cast<const void*>(kAfterPlace);
+  glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, 4 * sizeof(float), after_place);
   glEnableVertexAttribArray(0);
   glEnableVertexAttribArray(1);
   glUseProgram(ink_program_);
@@ -288,7 +284,7 @@ const ScreenPainter::SetCaption& ScreenPainter::set(const Caption& caption,
   return added;
 }
 
-void ScreenPainter::draw_fixation(SdlWindow::Size window) {
+void ScreenPainter::draw_fixation(SdlWindow::Size window) const {
   const auto half = std::max(4, part_of(window.height, kFixationSize / 2));
   const auto thick = std::max(2, half / 5 / 2 * 2);
   const auto x = window.width / 2;
@@ -297,7 +293,7 @@ void ScreenPainter::draw_fixation(SdlWindow::Size window) {
   fill({x - thick / 2, y - half, thick, 2 * half}, full_coverage_);
 }
 
-void ScreenPainter::draw_progress(double done, SdlWindow::Size window) {
+void ScreenPainter::draw_progress(double done, SdlWindow::Size window) const {
   const auto width = part_of(window.width, kProgressWidth);
   const auto height = std::max(4, part_of(window.height, kProgressHeight));
   const auto left = (window.width - width) / 2;

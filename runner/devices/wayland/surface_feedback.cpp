@@ -44,8 +44,8 @@ struct Protocol {
 };
 
 const Protocol& protocol() {
-  static const Protocol kProtocol;
-  return kProtocol;
+  static const Protocol tables;
+  return tables;
 }
 
 /// The events of wp_presentation, in the protocol's order.
