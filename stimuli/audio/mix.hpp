@@ -17,7 +17,7 @@ struct MixRequest {
   const Clip* speech = nullptr;  ///< at the session's rate; null: nothing is heard
   SpeechInterval interval;       ///< of the speech within its recording
   std::optional<Decibels> snr;   ///< absent: no noise
-  Decibels speech_level{-30.0};  ///< over the interval, in the band, dB re full scale
+  Decibels speech_level{-26.0};  ///< over the interval, in the band, dB re full scale
   Band band;                     ///< in which both levels are measured; the noise is limited to it
   Duration lead = std::chrono::milliseconds{500};   ///< before the recording begins
   Duration trail = std::chrono::milliseconds{500};  ///< after it ends

@@ -100,7 +100,10 @@ int part_of(int whole, double part) {
 ScreenPainter::ScreenPainter(const Colour& background)
     : background_{background},
       picture_program_{linked_program(kPictureShader)},
-      ink_program_{linked_program(kInkShader)} {
+      ink_program_{linked_program(kInkShader)},
+      picture_window_{glGetUniformLocation(picture_program_, "window")},
+      ink_window_{glGetUniformLocation(ink_program_, "window")},
+      full_coverage_{new_texture()} {
   captions_.reserve(kKeptCaptions);
   glGenVertexArrays(1, &layout_);
   glBindVertexArray(layout_);
@@ -108,24 +111,17 @@ ScreenPainter::ScreenPainter(const Colour& background)
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
   glBufferData(GL_ARRAY_BUFFER, 16 * sizeof(float), nullptr, GL_STREAM_DRAW);
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 4 * sizeof(float), nullptr);
-  glVertexAttribPointer(
-      1,
-      2,
-      GL_FLOAT,
-      GL_FALSE,
-      4 * sizeof(float),
-      reinterpret_cast<const void*>(
-          2 * sizeof(float)));  // NOLINT(performance-no-int-to-ptr): OpenGL's offset
+  constexpr auto kAfterPlace = 2 * sizeof(float);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset in the shape of a pointer
+  const auto* after_place = reinterpret_cast<const void*>(kAfterPlace);
+  glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, 4 * sizeof(float), after_place);
   glEnableVertexAttribArray(0);
   glEnableVertexAttribArray(1);
   glUseProgram(ink_program_);
   const auto ink = ink_on(background);
   glUniform3fv(glGetUniformLocation(ink_program_, "ink"), 1, ink.data());
-  picture_window_ = glGetUniformLocation(picture_program_, "window");
-  ink_window_ = glGetUniformLocation(ink_program_, "window");
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  full_coverage_ = new_texture();
   constexpr std::uint8_t kInk = 255;
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, 1, 1, 0, GL_RED, GL_UNSIGNED_BYTE, &kInk);
   warm_up();
@@ -288,7 +284,7 @@ const ScreenPainter::SetCaption& ScreenPainter::set(const Caption& caption,
   return added;
 }
 
-void ScreenPainter::draw_fixation(SdlWindow::Size window) {
+void ScreenPainter::draw_fixation(SdlWindow::Size window) const {
   const auto half = std::max(4, part_of(window.height, kFixationSize / 2));
   const auto thick = std::max(2, half / 5 / 2 * 2);
   const auto x = window.width / 2;
@@ -297,7 +293,7 @@ void ScreenPainter::draw_fixation(SdlWindow::Size window) {
   fill({x - thick / 2, y - half, thick, 2 * half}, full_coverage_);
 }
 
-void ScreenPainter::draw_progress(double done, SdlWindow::Size window) {
+void ScreenPainter::draw_progress(double done, SdlWindow::Size window) const {
   const auto width = part_of(window.width, kProgressWidth);
   const auto height = std::max(4, part_of(window.height, kProgressHeight));
   const auto left = (window.width - width) / 2;

@@ -48,11 +48,11 @@ class ScreenPainter {
 
   void warm_up();
   static void use(std::uint32_t program, int window_place, SdlWindow::Size window);
-  void fill(const Box& box, std::uint32_t texture);
+  static void fill(const Box& box, std::uint32_t texture);
   void draw_picture(const Picture& picture, SdlWindow::Size window);
   void draw_caption(const Caption& caption, SdlWindow::Size window);
-  void draw_fixation(SdlWindow::Size window);
-  void draw_progress(double done, SdlWindow::Size window);
+  void draw_fixation(SdlWindow::Size window) const;
+  void draw_progress(double done, SdlWindow::Size window) const;
   const SetCaption& set(const Caption& caption, SdlWindow::Size window);
   void upload(const Picture& picture);
 

@@ -27,7 +27,8 @@ std::unique_ptr<SurfaceFeedback> feedback_of(const SdlWindow& window) {
   SDL_VERSION(&native.version);
   if (SDL_GetWindowWMInfo(window.native(), &native) != SDL_TRUE) return nullptr;
   if (native.subsystem != SDL_SYSWM_WAYLAND) return nullptr;
-  return std::make_unique<SurfaceFeedback>(native.info.wl.display, native.info.wl.surface);
+  const auto& wayland = native.info.wl;  // NOLINT(cppcoreguidelines-pro-type-union-access): SDL's
+  return std::make_unique<SurfaceFeedback>(wayland.display, wayland.surface);
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ bool SdlDisplay::measure_answers(SurfaceFeedback::Kind kind, const Screen& openi
   meter_ = RefreshMeter{};
   int unanswered = 0;
   for (int flip = 0; flip < kUncountedFlips + kMeasuredFlips + 1; ++flip) {
-    window_.pump();
+    SdlWindow::pump();
     painter_.draw(opening, window_.size());
     feedback_->request(kind);
     window_.swap();
@@ -72,7 +73,7 @@ bool SdlDisplay::measure_swaps(const Screen& opening) {
   auto last = clock_.now();
   for (int flip = 0; flip < kUncountedFlips + kMeasuredFlips + 1; ++flip) {
     if (flip == kUncountedFlips && !swap_waits(intervals, nominal)) return false;
-    window_.pump();
+    SdlWindow::pump();
     painter_.draw(opening, window_.size());
     window_.swap();
     const auto returned = clock_.now();
@@ -132,7 +133,7 @@ Presentation SdlDisplay::present_clocked(const RefreshPlan& plan) {
 
 void SdlDisplay::wait_until(Instant instant) {
   while (instant - clock_.now() > kPumpEvery) {
-    window_.pump();
+    SdlWindow::pump();
     sleep_until(std::min(instant, clock_.now() + kPumpEvery));
   }
   sleep_until(instant);
@@ -141,8 +142,11 @@ void SdlDisplay::wait_until(Instant instant) {
 std::string SdlDisplay::description() const {
   const auto size = window_.size();
   const auto grid = refresh();
-  const auto device = fmt::format(
-      "{}, {}, {} x {} pixels", window_.driver(), window_.renderer(), size.width, size.height);
+  const auto device = fmt::format("{}, {}, {} x {} pixels",
+                                  SdlWindow::driver(),
+                                  SdlWindow::renderer(),
+                                  size.width,
+                                  size.height);
   if (source_ == TimeSource::Predicted) {
     return fmt::format(
         "{}; this display does not report refreshes: they are kept by the clock at its nominal "

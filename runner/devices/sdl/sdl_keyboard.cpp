@@ -1,5 +1,8 @@
 #include "runner/devices/sdl/sdl_keyboard.hpp"
 
+#include <iterator>
+#include <utility>
+
 #include <SDL.h>
 
 namespace bimodal::runner {
@@ -30,7 +33,7 @@ std::optional<Keystroke> keystroke_of(const SDL_Event& event, Instant now) {
   };
   switch (event.type) {
     case SDL_TEXTINPUT:
-      return stroke(Key::Text, event.text.text);
+      return stroke(Key::Text, std::data(event.text.text));
     case SDL_KEYDOWN: {
       const auto key = key_of(event.key.keysym.sym);
       if (!key || (event.key.repeat != 0 && *key != Key::Backspace)) return std::nullopt;

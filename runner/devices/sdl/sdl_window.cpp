@@ -1,6 +1,7 @@
 #include "runner/devices/sdl/sdl_window.hpp"
 
 #include <string_view>
+#include <utility>
 
 #include <SDL.h>
 #include <epoxy/gl.h>
@@ -28,7 +29,7 @@ bool shows_nothing(std::string_view driver) {
 
 }  // namespace
 
-SdlWindow::SdlWindow(const Options& options) : options_{options} {
+SdlWindow::SdlWindow(Options options) : options_{std::move(options)} {
   try {
     open();
   } catch (...) {
@@ -84,12 +85,12 @@ SdlWindow::Size SdlWindow::size() const {
   return size;
 }
 
-std::string SdlWindow::driver() const {
+std::string SdlWindow::driver() {
   const auto* name = SDL_GetCurrentVideoDriver();
   return name != nullptr ? name : "none";
 }
 
-std::string SdlWindow::renderer() const {
+std::string SdlWindow::renderer() {
   const auto text = [](GLenum which) {
     const auto* found = reinterpret_cast<const char*>(glGetString(which));
     return found != nullptr ? found : "unknown";

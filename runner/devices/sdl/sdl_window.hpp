@@ -26,7 +26,7 @@ class SdlWindow {
   };
 
   /// Throws DeviceError when there is no display, or none that can do it.
-  explicit SdlWindow(const Options& options);
+  explicit SdlWindow(Options options);
   SdlWindow(const SdlWindow&) = delete;
   SdlWindow& operator=(const SdlWindow&) = delete;
   SdlWindow(SdlWindow&&) = delete;
@@ -38,10 +38,10 @@ class SdlWindow {
     int height = 0;
   };
 
-  [[nodiscard]] Size size() const;             ///< drawable pixels, now
-  [[nodiscard]] std::string driver() const;    ///< SDL's video driver, "wayland", "x11", ...
-  [[nodiscard]] std::string renderer() const;  ///< who draws, as OpenGL names it
-  [[nodiscard]] Hertz nominal_rate() const;    ///< of the display mode; 60 where it says nothing
+  [[nodiscard]] Size size() const;              ///< drawable pixels, now
+  [[nodiscard]] static std::string driver();    ///< SDL's video driver, "wayland", "x11", ...
+  [[nodiscard]] static std::string renderer();  ///< who draws, as OpenGL names it
+  [[nodiscard]] Hertz nominal_rate() const;     ///< of the display mode; 60 where it says nothing
 
   [[nodiscard]] const Colour& background() const { return options_.background; }
 
@@ -49,7 +49,7 @@ class SdlWindow {
   void swap();
 
   /// Lets the window system know that the program is alive; events stay queued.
-  void pump();
+  static void pump();
 
   [[nodiscard]] SDL_Window* native() const { return window_; }
 

@@ -21,23 +21,32 @@ constexpr std::uint32_t kFeedbackRequest = 1;
 constexpr std::uint32_t kHardwareClock = 0x2;       // wp_presentation_feedback.kind hw_clock
 constexpr std::uint32_t kHardwareCompletion = 0x4;  // and hw_completion
 
-extern const wl_interface kFeedbackInterface;
+/// libwayland keeps the addresses of these tables, so they stay where they are.
+struct Protocol {
+  Protocol() = default;
+  Protocol(const Protocol&) = delete;
+  Protocol& operator=(const Protocol&) = delete;
+  Protocol(Protocol&&) = delete;
+  Protocol& operator=(Protocol&&) = delete;
+  ~Protocol() = default;
 
-std::array<const wl_interface*, 2> feedback_types{&wl_surface_interface, &kFeedbackInterface};
-std::array<const wl_interface*, 1> output_types{&wl_output_interface};
-std::array<const wl_interface*, 7> number_types{};
+  std::array<const wl_interface*, 7> numbers{};
+  std::array<const wl_interface*, 1> output{&wl_output_interface};
+  std::array<wl_message, 3> feedback_events{{{"sync_output", "o", output.data()},
+                                             {"presented", "uuuuuuu", numbers.data()},
+                                             {"discarded", "", numbers.data()}}};
+  wl_interface feedback{"wp_presentation_feedback", 1, 0, nullptr, 3, feedback_events.data()};
+  std::array<const wl_interface*, 2> feedback_types{&wl_surface_interface, &feedback};
+  std::array<wl_message, 2> requests{
+      {{"destroy", "", numbers.data()}, {"feedback", "on", feedback_types.data()}}};
+  std::array<wl_message, 1> events{{{"clock_id", "u", numbers.data()}}};
+  wl_interface presentation{"wp_presentation", 1, 2, requests.data(), 1, events.data()};
+};
 
-const std::array<wl_message, 2> kPresentationRequests{
-    {{"destroy", "", number_types.data()}, {"feedback", "on", feedback_types.data()}}};
-const std::array<wl_message, 1> kPresentationEvents{{{"clock_id", "u", number_types.data()}}};
-const wl_interface kPresentationInterface{
-    "wp_presentation", 1, 2, kPresentationRequests.data(), 1, kPresentationEvents.data()};
-
-const std::array<wl_message, 3> kFeedbackEvents{{{"sync_output", "o", output_types.data()},
-                                                 {"presented", "uuuuuuu", number_types.data()},
-                                                 {"discarded", "", number_types.data()}}};
-const wl_interface kFeedbackInterface{
-    "wp_presentation_feedback", 1, 0, nullptr, 3, kFeedbackEvents.data()};
+const Protocol& protocol() {
+  static const Protocol tables;
+  return tables;
+}
 
 /// The events of wp_presentation, in the protocol's order.
 struct PresentationListener {
@@ -59,20 +68,19 @@ struct FeedbackListener {
   void (*discarded)(void*, wl_proxy*);
 };
 
-/// libwayland takes any table of functions as an array of functions without arguments.
+/// libwayland takes any table of functions as an array of functions without arguments, and only
+/// reads it.
 template <typename Listener>
-void listen(wl_proxy* proxy, const Listener& listener, void* data) {
-  auto* table = const_cast<Listener*>(
-      &listener);  // NOLINT(cppcoreguidelines-pro-type-const-cast): never written to
-  wl_proxy_add_listener(proxy, reinterpret_cast<void (**)()>(table), data);
+void listen(wl_proxy* proxy, Listener& listener, void* data) {
+  wl_proxy_add_listener(proxy, reinterpret_cast<void (**)()>(&listener), data);
 }
 
 }  // namespace
 
 struct SurfaceFeedback::Connection {
   wl_display* display = nullptr;
-  wl_surface* surface = nullptr;  ///< wrapped, so that its callbacks come to our queue
   wl_event_queue* queue = nullptr;
+  wl_surface* surface = nullptr;  ///< wrapped, so that its callbacks come to our queue
   wl_registry* registry = nullptr;
   wl_proxy* presentation = nullptr;
   wl_proxy* pending = nullptr;
@@ -82,8 +90,8 @@ struct SurfaceFeedback::Connection {
   Duration stated_period{};
   std::uint32_t kind = 0;
 
-  Connection(wl_display* of, wl_surface* about) : display{of}, queue{wl_display_create_queue(of)} {
-    surface = wrapped(about);
+  Connection(wl_display* of, wl_surface* about)
+      : display{of}, queue{wl_display_create_queue(of)}, surface{wrapped(about)} {
     auto* own_display = wrapped(of);
     registry = wl_display_get_registry(own_display);
     wl_proxy_wrapper_destroy(own_display);
@@ -108,7 +116,7 @@ struct SurfaceFeedback::Connection {
   }
 
   template <typename Object>
-  Object* wrapped(Object* object) {
+  Object* wrapped(Object* object) const {
     auto* wrapper = static_cast<wl_proxy*>(wl_proxy_create_wrapper(object));
     wl_proxy_set_queue(wrapper, queue);
     return reinterpret_cast<Object*>(wrapper);
@@ -121,7 +129,7 @@ struct SurfaceFeedback::Connection {
 
   /// Takes one batch of events, waiting for it until `until` at most; false: the connection is
   /// lost.
-  bool take_events(Instant until) {
+  bool take_events(Instant until) const {
     if (wl_display_prepare_read_queue(display, queue) != 0) {
       return wl_display_dispatch_queue_pending(display, queue) >= 0;
     }
@@ -144,13 +152,13 @@ struct SurfaceFeedback::Connection {
                         std::uint32_t name,
                         const char* interface,
                         std::uint32_t /*version*/) {
-    static constexpr PresentationListener kListener{.clock_id = on_clock_id};
+    static PresentationListener listener{.clock_id = on_clock_id};
     auto& self = from(data);
-    if (std::string_view{interface} != kPresentationInterface.name) return;
+    if (std::string_view{interface} != protocol().presentation.name) return;
     if (self.presentation != nullptr) return;
     self.presentation =
-        static_cast<wl_proxy*>(wl_registry_bind(registry, name, &kPresentationInterface, 1));
-    listen(self.presentation, kListener, data);
+        static_cast<wl_proxy*>(wl_registry_bind(registry, name, &protocol().presentation, 1));
+    listen(self.presentation, listener, data);
   }
 
   static void on_global_removed(void* /*data*/, wl_registry* /*registry*/, std::uint32_t /*name*/) {
@@ -207,9 +215,9 @@ bool SurfaceFeedback::offers(Kind kind) const {
 }
 
 void SurfaceFeedback::request(Kind kind) {
-  static constexpr FeedbackListener kListener{.sync_output = Connection::on_sync_output,
-                                              .presented = Connection::on_presented,
-                                              .discarded = Connection::on_discarded};
+  static FeedbackListener listener{.sync_output = Connection::on_sync_output,
+                                   .presented = Connection::on_presented,
+                                   .discarded = Connection::on_discarded};
   static constexpr wl_callback_listener kFrameListener{.done = Connection::on_frame_drawn};
   auto& self = *connection_;
   self.forget();
@@ -221,8 +229,8 @@ void SurfaceFeedback::request(Kind kind) {
     self.pending = reinterpret_cast<wl_proxy*>(callback);
   } else {
     self.pending = wl_proxy_marshal_flags(
-        self.presentation, kFeedbackRequest, &kFeedbackInterface, 1, 0, self.surface, nullptr);
-    listen(self.pending, kListener, connection_.get());
+        self.presentation, kFeedbackRequest, &protocol().feedback, 1, 0, self.surface, nullptr);
+    listen(self.pending, listener, connection_.get());
   }
 }
 

@@ -207,7 +207,7 @@ TEST_F(SessionLoopTest, AsksBeforeItStopsOnAPage) {
 }
 
 TEST_F(SessionLoopTest, DoesNotStoreTheTrialInWhichItWasStopped) {
-  ScriptedKeyboard keyboard{clock_, {Key::Enter, Key::Escape, Key::Escape}};
+  ScriptedKeyboard keyboard{clock_, {Key::Enter, Key::Escape, Key::Escape, Key::Escape}};
   const auto outcome = run(2, &keyboard);
   EXPECT_FALSE(outcome.complete);
   EXPECT_EQ(outcome.session, 7);

@@ -16,8 +16,8 @@ namespace {
 class Environment {
  public:
   Environment(std::string name, const char* value) : name_{std::move(name)} {
-    if (const auto* old = std::getenv(name_.c_str()))
-      before_ = old;  // NOLINT(concurrency-mt-unsafe): one thread
+    const auto* before = std::getenv(name_.c_str());  // NOLINT(concurrency-mt-unsafe): one thread
+    if (before != nullptr) before_ = before;
     assign(value);
   }
 

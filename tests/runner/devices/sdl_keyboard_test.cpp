@@ -1,6 +1,7 @@
 #include "runner/devices/sdl/sdl_keyboard.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include <SDL2/SDL_events.h>
@@ -24,7 +25,7 @@ SDL_Event key_press(SDL_Keycode code, bool repeated = false) {
 SDL_Event text_input(std::string_view text) {
   SDL_Event event{};
   event.type = SDL_TEXTINPUT;
-  std::ranges::copy(text, event.text.text);
+  std::ranges::copy(text, std::data(event.text.text));
   return event;
 }
 

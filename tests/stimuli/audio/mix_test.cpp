@@ -109,7 +109,7 @@ TEST(Mix, IsLeadThenRecordingThenTrail) {
     ASSERT_NEAR(made.sound.samples[4800 + i], gain * static_cast<double>(speech.samples[i]), 1e-6);
   }
   EXPECT_FALSE(made.noise_dbfs.has_value());
-  EXPECT_EQ(made.speech_dbfs, -30.0);
+  EXPECT_EQ(made.speech_dbfs, -26.0);
 }
 
 TEST(Mix, FadesTheEdgesOfTheRecordingOverFiveMilliseconds) {
