@@ -1,5 +1,5 @@
-// Holds the schema and the reader together: npm's ajv judges by the schema what the reader judges
-// by itself. Skipped where node or ajv is not installed (./dev installs both).
+// Holds the schema and the reader together: Debian's python3-jsonschema judges by the schema what the
+// reader judges by itself. Skipped where that is not installed (./dev installs it).
 
 #include <array>
 #include <cstdio>
@@ -44,30 +44,24 @@ std::optional<std::string> output_of(const std::string& command) {
   return text;
 }
 
-/// The folder whose node_modules has ajv: <build>/node, for the build folder or the one above it.
-std::optional<std::filesystem::path> ajv_folder() {
-  const std::filesystem::path build = std::filesystem::path{BIMODAL_BIN}.parent_path();
-  for (const auto& folder : {build / "node", build.parent_path() / "node"}) {
-    if (std::filesystem::exists(folder / "node_modules/ajv/dist/2020.js")) return folder;
-  }
-  return std::nullopt;
-}
+/// Debian's own Python, whatever else is first in the path.
+constexpr const char* kPython = "/usr/bin/python3";
 
 class Schema : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!output_of("node --version 2>/dev/null")) GTEST_SKIP() << "node is not installed";
-    ajv_ = ajv_folder();
-    if (!ajv_) GTEST_SKIP() << "ajv is not in build/node: npm install --prefix build/node ajv@8";
+    if (!output_of(fmt::format("{} -c 'import jsonschema' 2>/dev/null", kPython))) {
+      GTEST_SKIP() << "the package python3-jsonschema is not installed";
+    }
   }
 
   /// The schema's verdict on each protocol: "valid", or "invalid ...".
   std::vector<std::string> validate(const std::vector<Json>& protocols) const {
     const auto file = files_.write("protocols.json", Json(protocols).dump());
     const auto lines =
-        output_of(fmt::format("node '{}/protocols/schema/validate.cjs' '{}' '{}' '{}'",
+        output_of(fmt::format("{} '{}/protocols/schema/validate.py' '{}' '{}'",
+                              kPython,
                               BIMODAL_TEST_ROOT,
-                              ajv_->string(),
                               asset("protocols/schema/protocol.schema.json").string(),
                               file.string()));
     std::vector<std::string> verdicts;
@@ -76,7 +70,7 @@ class Schema : public ::testing::Test {
       verdicts.push_back(rest.substr(0, end));
       rest.erase(0, end + 1);
     }
-    EXPECT_EQ(verdicts.size(), protocols.size()) << "validate.cjs failed";
+    EXPECT_EQ(verdicts.size(), protocols.size()) << "validate.py failed";
     verdicts.resize(protocols.size());
     return verdicts;
   }
@@ -93,7 +87,6 @@ class Schema : public ::testing::Test {
 
   WrittenFiles files_;
   std::filesystem::path dictionary_ = files_.write("dictionary.dict", kDictionary);
-  std::optional<std::filesystem::path> ajv_;
 };
 
 Json cases() {

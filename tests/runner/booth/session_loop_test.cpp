@@ -90,13 +90,13 @@ class MemoryStore final : public SessionStore {
   std::vector<EventRecord> events;
 };
 
-/// Presses the given keys, one at each poll.
+/// Presses the given keys, one at every 400th poll: longer than a stimulus lasts.
 class ScriptedKeyboard final : public Keyboard {
  public:
   ScriptedKeyboard(const Clock& clock, std::vector<Key> keys) : clock_{clock}, keys_{std::move(keys)} {}
 
   std::vector<Keystroke> poll() override {
-    if (next_ == keys_.size()) return {};
+    if (next_ == keys_.size() || ++polls_ % 400 != 0) return {};
     return {{.key = keys_[next_++], .text = "x", .at = clock_.now(), .source = "scripted"}};
   }
 
@@ -106,6 +106,7 @@ class ScriptedKeyboard final : public Keyboard {
   const Clock& clock_;
   std::vector<Key> keys_;
   std::size_t next_ = 0;
+  int polls_ = 0;
 };
 
 class SessionLoopTest : public testing::Test {
@@ -207,7 +208,7 @@ TEST_F(SessionLoopTest, AsksBeforeItStopsOnAPage) {
 }
 
 TEST_F(SessionLoopTest, DoesNotStoreTheTrialInWhichItWasStopped) {
-  ScriptedKeyboard keyboard{clock_, {Key::Enter, Key::Escape, Key::Escape, Key::Escape}};
+  ScriptedKeyboard keyboard{clock_, {Key::Enter, Key::Escape, Key::Escape}};
   const auto outcome = run(2, &keyboard);
   EXPECT_FALSE(outcome.complete);
   EXPECT_EQ(outcome.session, 7);
