@@ -34,7 +34,11 @@ FaceTalker::FaceTalker(std::size_t height, std::uint32_t background)
     : head_{asset("synth/assets/head")},
       segments_{asset("synth/assets/segments/english.json")},
       renderer_{head_,
-                {.width = height * 8 / 9, .height = height, .backdrop = plain(background)}} {}
+                {.width = height * 8 / 9,
+                 .height = height,
+                 .centre_y_mm = -32.0,
+                 .field_mm = 312.0,  // the whole head, crown to neck
+                 .backdrop = plain(background)}} {}
 
 std::unique_ptr<FrameSource> FaceTalker::say(const Utterance& utterance) {
   return std::make_unique<TalkingFace>(renderer_, synth::Articulation{utterance, segments_});
