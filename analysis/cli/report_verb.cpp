@@ -9,6 +9,7 @@
 
 #include "analysis/cli/verb.hpp"
 #include "analysis/report/attachment.hpp"
+#include "analysis/report/figure_files.hpp"
 #include "analysis/report/page.hpp"
 #include "analysis/report/tables.hpp"
 #include "stimuli/base/error.hpp"
@@ -86,7 +87,7 @@ Exit make_report(const ReportRequest& request, Console console) {
                       .made_utc = now_utc(),
                       .selection = selection_in_words(request.analysis.selection)};
   std::error_code failure;
-  std::filesystem::create_directories(request.folder, failure);
+  std::filesystem::create_directories(request.folder / "figures", failure);
   if (failure) {
     throw Error{
         fmt::format("writing the report: cannot make the folder '{}': {}; choose another "
@@ -95,6 +96,9 @@ Exit make_report(const ReportRequest& request, Console console) {
                     failure.message())};
   }
   for (const auto& file : report_tables(results, making)) {
+    write_file(request.folder / file.name, file.content);
+  }
+  for (const auto& file : figure_files(results)) {
     write_file(request.folder / file.name, file.content);
   }
   const auto page = request.folder / "report.html";

@@ -18,8 +18,8 @@ namespace bimodal::runner {
 struct SessionOutcome {
   std::optional<std::int64_t> session;  ///< the store's number; absent if it ended before any trial
   bool complete = false;                ///< false: stopped by the experimenter
-  int trials = 0;         ///< stored
-  int flagged = 0;        ///< of these, with timing other than planned
+  int trials = 0;                       ///< stored
+  int flagged = 0;                      ///< of these, with timing other than planned
 };
 
 /// What the loop borrows.
@@ -45,8 +45,8 @@ struct SessionParts {
 [[nodiscard]] Screen page_screen(std::string text);
 
 /// Runs one session from the first page to the last: `run` and `rehearse` differ only in the parts
-/// they put in. Every trial is committed before the next begins. Throws StoreError if data cannot be
-/// kept (the participant then sees a neutral screen), Error if a trial cannot be prepared.
+/// they put in. Every trial is committed before the next begins. Throws StoreError if data cannot
+/// be kept (the participant then sees a neutral screen), Error if a trial cannot be prepared.
 [[nodiscard]] SessionOutcome run_session(const SessionParts& parts);
 
 }  // namespace bimodal::runner

@@ -26,18 +26,17 @@ constexpr Duration kSoundTolerance = 2ms;
 constexpr Duration kReportPatience = 500ms;
 
 Picture picture_of(const Film& film, std::int64_t frame) {
-  const auto& image =
-      film.pictures.at(film.picture_of_frame.at(static_cast<std::size_t>(frame)));
+  const auto& image = film.pictures.at(film.picture_of_frame.at(static_cast<std::size_t>(frame)));
   return {.width = image.width, .height = image.height, .pixels = image.pixels};
 }
 
 class StimulusLoop {
  public:
   StimulusLoop(const Booth& booth,
-                const PreparedTrial& trial,
-                const CueSheet& cues,
-                TrialMachine& machine,
-                TrialRecord& record)
+               const PreparedTrial& trial,
+               const CueSheet& cues,
+               TrialMachine& machine,
+               TrialRecord& record)
       : booth_{booth}, trial_{trial}, cues_{cues}, machine_{machine}, record_{record} {
     const auto expected = static_cast<std::size_t>(trial.frames) + 8;
     record_.refreshes.frame.reserve(expected);

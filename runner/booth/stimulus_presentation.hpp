@@ -8,9 +8,9 @@
 
 namespace bimodal::runner {
 
-/// Shows and plays a prepared trial as its cue sheet says, and writes down in `record` what was shown
-/// and heard, when, and by whose word. Keystrokes go to `machine`. Returns when everything has ended.
-/// In the loop nothing is allocated but what keystrokes need.
+/// Shows and plays a prepared trial as its cue sheet says, and writes down in `record` what was
+/// shown and heard, when, and by whose word. Keystrokes go to `machine`. Returns when everything
+/// has ended. In the loop nothing is allocated but what keystrokes need.
 void present_stimulus(const Booth& booth,
                       const PreparedTrial& trial,
                       const CueSheet& cues,

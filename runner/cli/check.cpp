@@ -58,7 +58,8 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
              static_cast<double>(trials) * trial_s / 60.0);
 }
 
-/// Sounds of as many participants as there are lists, so that every word is heard in every condition.
+/// Sounds of as many participants as there are lists, so that every word is heard in every
+/// condition.
 std::vector<Diagnostic> check_all_sounds(const ReadProtocol& read, const std::string& file) {
   SpeechBank bank{read.protocol.sound.rate};
   TrialPreparer preparer{read.protocol, bank, nullptr, Hertz{60}};

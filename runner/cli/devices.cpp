@@ -25,7 +25,8 @@ void add_devices(CLI::App& app, Verb& chosen) {
   auto* const verb = app.add_subcommand("devices", "Lists the sound devices of this machine.");
   auto has_sound = std::make_shared<bool>(false);
   verb->add_flag("--has-sound", *has_sound, "print nothing; exit 0 if there is one, else 1");
-  verb->callback([has_sound, &chosen] { chosen = [has_sound] { return list_devices(*has_sound); }; });
+  verb->callback(
+      [has_sound, &chosen] { chosen = [has_sound] { return list_devices(*has_sound); }; });
 }
 
 }  // namespace bimodal::runner

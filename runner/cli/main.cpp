@@ -36,10 +36,12 @@ ExitCode perform(const bimodal::runner::Verb& verb) {
 
 int main(int count, char** arguments) {
   CLI::App app{
-      "bimodal runs perceptual experiments on bimodal speech: what people understand from a voice,\n"
+      "bimodal runs perceptual experiments on bimodal speech: what people understand from a "
+      "voice,\n"
       "from a face, and from both.\n\n"
       "Examples:\n"
-      "  bimodal check words414                        is everything there that the protocol needs?\n"
+      "  bimodal check words414                        is everything there that the protocol "
+      "needs?\n"
       "  bimodal rehearse words414 --participants 20 --data trial.sqlite\n"
       "  bimodal run words414 --participant P01        a real session\n"
       "  bimodal-analysis report words414.sqlite -o report",

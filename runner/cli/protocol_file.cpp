@@ -32,10 +32,8 @@ std::optional<protocols::ReadProtocol> load_protocol(const std::string& named) {
   print(read.diagnostics);
   if (!has_errors(read.diagnostics)) return read;
   const auto errors = std::ranges::count(read.diagnostics, Severity::Error, &Diagnostic::severity);
-  fmt::print(stderr,
-             "bimodal: the protocol cannot be used: {} error{}\n",
-             errors,
-             errors == 1 ? "" : "s");
+  fmt::print(
+      stderr, "bimodal: the protocol cannot be used: {} error{}\n", errors, errors == 1 ? "" : "s");
   return std::nullopt;
 }
 

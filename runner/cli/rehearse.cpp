@@ -1,10 +1,9 @@
-#include <unistd.h>
-
 #include <cstdio>
 #include <memory>
 #include <optional>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "runner/booth/session_loop.hpp"
 #include "runner/cli/protocol_file.hpp"
@@ -43,8 +42,7 @@ struct Rehearsal {
 
 int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) {
   const auto& protocol = rehearsal.read.protocol;
-  const auto plan =
-      shortened_plan(rehearsal.read, key, {.main_trials = rehearsal.options.trials});
+  const auto plan = shortened_plan(rehearsal.read, key, {.main_trials = rehearsal.options.trials});
   VirtualClock clock;
   SimulatedDisplay display{clock, {.rate = Hertz{rehearsal.options.refresh_hz}}};
   SimulatedKeyboard keyboard{clock};
@@ -65,15 +63,14 @@ int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) 
     record.refresh_count = refresh.count;
     return rehearsal.store.begin(record, plan_records(protocol, plan));
   };
-  const auto outcome =
-      run_session({.protocol = protocol,
-                   .plan = plan,
-                   .booth = {clock, display, keyboard, audio},
-                   .trials = trials,
-                   .store = rehearsal.writer,
-                   .begin = begin,
-                   .answer = simulated_answers(
-                       protocol, key.participant_number, rehearsal.options.seed)});
+  const auto outcome = run_session(
+      {.protocol = protocol,
+       .plan = plan,
+       .booth = {clock, display, keyboard, audio},
+       .trials = trials,
+       .store = rehearsal.writer,
+       .begin = begin,
+       .answer = simulated_answers(protocol, key.participant_number, rehearsal.options.seed)});
   if (outcome.session) rehearsal.store.end(*outcome.session, "complete", utc_now());
   return outcome.trials;
 }
@@ -98,7 +95,8 @@ ExitCode rehearse(const RehearseOptions& options) {
   int trials = 0;
   for (int participant = 0; participant < options.participants; ++participant) {
     if (to_terminal) {
-      fmt::print(stderr, "\rrehearsing participant {} of {} ", participant + 1, options.participants);
+      fmt::print(
+          stderr, "\rrehearsing participant {} of {} ", participant + 1, options.participants);
     }
     for (int session = 1; session <= sessions_per_participant(read->protocol); ++session) {
       trials += rehearse_participant(
@@ -135,7 +133,8 @@ void add_rehearse(CLI::App& app, Verb& chosen) {
   verb->add_option("--data", options->data, "the data file (rehearsal-PROTOCOL.sqlite here)");
   verb->add_option("--trials", options->trials, "only so many main trials a participant")
       ->check(CLI::NonNegativeNumber);
-  verb->add_option("--refresh-hz", options->refresh_hz, "refresh rate of the simulated display (60)")
+  verb->add_option(
+          "--refresh-hz", options->refresh_hz, "refresh rate of the simulated display (60)")
       ->check(CLI::Range(10.0, 1000.0));
   verb->callback([options, &chosen] { chosen = [options] { return rehearse(*options); }; });
 }

@@ -36,9 +36,10 @@ Pronunciation pronunciation(const RenderOptions& options) {
     const Dictionary dictionary{Dictionary::installed()};
     const auto found = dictionary.pronunciations(options.word);
     if (found.empty()) {
-      throw Error{fmt::format("the dictionary has no pronunciation of '{}'; give one: "
-                              "--phones \"S T UW\"",
-                              options.word)};
+      throw Error{
+          fmt::format("the dictionary has no pronunciation of '{}'; give one: "
+                      "--phones \"S T UW\"",
+                      options.word)};
     }
     return found.front();
   }
@@ -73,8 +74,8 @@ synth::Image beside(const std::vector<synth::Image>& pictures) {
   strip.pixels.reserve(strip.width * strip.height * 4);
   for (std::size_t row = 0; row < strip.height; ++row) {
     for (const auto& picture : pictures) {
-      const auto first = picture.pixels.begin() +
-                         static_cast<std::ptrdiff_t>(row * picture.width * 4);
+      const auto first =
+          picture.pixels.begin() + static_cast<std::ptrdiff_t>(row * picture.width * 4);
       strip.pixels.insert(
           strip.pixels.end(), first, first + static_cast<std::ptrdiff_t>(picture.width * 4));
     }
@@ -117,8 +118,8 @@ ExitCode render(const RenderOptions& options) {
     throw Error{"nothing to write; give --strip FILE.png, --frames FOLDER or --sound FILE.wav"};
   }
   SpeechBank bank{Hertz{48'000}};
-  const auto& spoken = bank.item(
-      "festival:" + options.voice, {.spelling = options.word, .phones = pronunciation(options)});
+  const auto& spoken = bank.item("festival:" + options.voice,
+                                 {.spelling = options.word, .phones = pronunciation(options)});
   if (!options.sound.empty()) {
     write_wav(options.sound, spoken.sound);
     fmt::print("{}: spoken by {}\n", options.sound, options.voice);

@@ -17,8 +17,7 @@ int participant_number(const std::string& participant, std::optional<int> given)
   const auto last_other = participant.find_last_not_of("0123456789");
   const auto digits = participant.substr(last_other == std::string::npos ? 0 : last_other + 1);
   int number = 0;
-  const auto [end, error] =
-      std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (error != std::errc{} || end != digits.data() + digits.size() || number < 1) {
     throw Error{fmt::format(
         "cannot tell the number of participant '{}', which decides lists and orders; let the name "

@@ -25,9 +25,7 @@ struct Shortening {
 [[nodiscard]] int participant_number(const std::string& participant, std::optional<int> given);
 
 [[nodiscard]] std::vector<protocols::PlannedTrial> shortened_plan(
-    const protocols::ReadProtocol& read,
-    protocols::SessionKey key,
-    const Shortening& shortening);
+    const protocols::ReadProtocol& read, protocols::SessionKey key, const Shortening& shortening);
 
 /// The protocol's name beside the working folder: "words414.sqlite".
 [[nodiscard]] std::filesystem::path default_data_file(const std::string& protocol_named);

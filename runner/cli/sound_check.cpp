@@ -23,18 +23,19 @@ Diagnostic describe_clipping(const std::string& file,
                              const protocols::Protocol& protocol,
                              const Clipping& clipping) {
   const double lower = std::ceil(clipping.lacking_db * 10.0) / 10.0;
-  return {.file = file,
-          .pointer = fmt::format("/conditions/{}", condition),
-          .finding = fmt::format("{} trials of condition \"{}\" would clip; the loudest, \"{}\", lacks "
-                                 "{:.1f} dB of headroom",
-                                 clipping.trials,
-                                 protocol.conditions.at(condition).name,
-                                 clipping.worst_word,
-                                 clipping.lacking_db),
-          .remedy = fmt::format("lower /sound/speech_level_dbfs from {:g} to {:g} or less, or raise "
-                                "snr_db",
-                                protocol.sound.speech_level.count(),
-                                protocol.sound.speech_level.count() - lower)};
+  return {
+      .file = file,
+      .pointer = fmt::format("/conditions/{}", condition),
+      .finding = fmt::format("{} trials of condition \"{}\" would clip; the loudest, \"{}\", lacks "
+                             "{:.1f} dB of headroom",
+                             clipping.trials,
+                             protocol.conditions.at(condition).name,
+                             clipping.worst_word,
+                             clipping.lacking_db),
+      .remedy = fmt::format("lower /sound/speech_level_dbfs from {:g} to {:g} or less, or raise "
+                            "snr_db",
+                            protocol.sound.speech_level.count(),
+                            protocol.sound.speech_level.count() - lower)};
 }
 
 }  // namespace
@@ -57,11 +58,11 @@ std::vector<Diagnostic> check_sounds(const protocols::Protocol& protocol,
         clipping.worst_word = trial.word.spelling;
       }
     } catch (const Error& error) {
-      diagnostics.push_back({.file = file,
-                             .pointer = fmt::format("/conditions/{}", trial.condition),
-                             .finding = fmt::format("the word \"{}\" cannot be made: {}",
-                                                    trial.word.spelling,
-                                                    error.what())});
+      diagnostics.push_back(
+          {.file = file,
+           .pointer = fmt::format("/conditions/{}", trial.condition),
+           .finding = fmt::format(
+               "the word \"{}\" cannot be made: {}", trial.word.spelling, error.what())});
       if (diagnostics.size() >= 10) return diagnostics;  // a missing voice fails every word
     }
   }

@@ -33,8 +33,8 @@ struct Film {
 /// Called between pieces of long work; may block for as long as the work is to rest.
 using Checkpoint = std::function<void()>;
 
-/// Draws every frame of a stimulus at `drawing_rate`. Before the recording stands its first picture,
-/// after it the last.
+/// Draws every frame of a stimulus at `drawing_rate`. Before the recording stands its first
+/// picture, after it the last.
 [[nodiscard]] Film make_film(const StimulusLayout& layout,
                              Hertz drawing_rate,
                              FrameSource& source,

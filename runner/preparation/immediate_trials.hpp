@@ -14,12 +14,16 @@ class ImmediateTrials final : public TrialSource {
       : plan_{plan}, preparer_{preparer} {}
 
   [[nodiscard]] bool ready() override { return true; }
+
   [[nodiscard]] PreparedTrial next() override { return preparer_.prepare(plan_.at(next_++)); }
+
   void hold() override {}
+
   void release() override {}
 
  private:
-  const std::vector<protocols::PlannedTrial>& plan_;  // NOLINT(cppcoreguidelines-avoid-const-or-ref-data-members): borrowed
+  const std::vector<protocols::PlannedTrial>&
+      plan_;                 // NOLINT(cppcoreguidelines-avoid-const-or-ref-data-members): borrowed
   TrialPreparer& preparer_;  // NOLINT(cppcoreguidelines-avoid-const-or-ref-data-members): borrowed
   std::size_t next_ = 0;
 };

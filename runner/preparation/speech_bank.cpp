@@ -16,9 +16,10 @@ const synth::SpokenItem& SpeechBank::item(const std::string& talker, const Word&
 
   constexpr std::string_view kFestival = "festival:";
   if (!talker.starts_with(kFestival)) {
-    throw Error{fmt::format("the auditory talker '{}' is not known; use 'festival:kal' or "
-                            "'festival:slt'",
-                            talker)};
+    throw Error{
+        fmt::format("the auditory talker '{}' is not known; use 'festival:kal' or "
+                    "'festival:slt'",
+                    talker)};
   }
   auto voice = voices_.find(talker);
   if (voice == voices_.end()) {

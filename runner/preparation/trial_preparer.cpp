@@ -35,7 +35,8 @@ std::string clipping_message(const PlannedTrial& trial,
   const auto lacking = headroom_lacking(mix);
   if (!lacking) return {};
   return fmt::format(
-      "the sound of trial {} (\"{}\", condition \"{}\") would clip: its peak is {:.2f} of full scale, "
+      "the sound of trial {} (\"{}\", condition \"{}\") would clip: its peak is {:.2f} of full "
+      "scale, "
       "{:.1f} dB of headroom lacking; lower /sound/speech_level_dbfs by at least that much",
       trial.index + 1,
       trial.word.spelling,

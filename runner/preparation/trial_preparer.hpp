@@ -35,8 +35,8 @@ class TrialPreparer {
                 Hertz drawing_rate);
 
   /// Throws Error, naming trial and word, if the sound would clip or cannot be made.
-  [[nodiscard]] PreparedTrial prepare(const protocols::PlannedTrial& trial,
-                                      const Checkpoint& checkpoint = [] {});
+  [[nodiscard]] PreparedTrial prepare(
+      const protocols::PlannedTrial& trial, const Checkpoint& checkpoint = [] {});
 
   /// The sound alone; absent if the condition has none. Does not judge clipping.
   [[nodiscard]] std::optional<Mix> mix_sound(const protocols::PlannedTrial& trial);
