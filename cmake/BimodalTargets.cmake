@@ -18,7 +18,8 @@ target_compile_options(bimodal_options INTERFACE
   $<$<BOOL:${BIMODAL_WERROR}>:-Werror>)
 if(BIMODAL_SANITIZE)
   target_compile_options(bimodal_options INTERFACE
-    -fsanitize=${BIMODAL_SANITIZE} -fno-omit-frame-pointer)
+    -fsanitize=${BIMODAL_SANITIZE} -fno-omit-frame-pointer
+    -Wno-maybe-uninitialized)  # GCC 12 imagines it where a sanitizer has changed the code
   target_link_options(bimodal_options INTERFACE -fsanitize=${BIMODAL_SANITIZE})
 endif()
 
