@@ -42,11 +42,11 @@ const UnitConfusions& find_table(const Results& results, const MatrixRequest& re
                           fmt::join(names, ", "))};
 }
 
-Exit print_matrix(const MatrixRequest& request, Console console) {
+ExitCode print_matrix(const MatrixRequest& request, Console console) {
   const auto results = analyse_request(request.analysis, console);
   if (results.dataset.trials.empty()) {
     console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
-    return Exit::Findings;
+    return ExitCode::Findings;
   }
   const auto& table = find_table(results, request);
   console.out << (request.csv ? matrix_csv(table.matrix) : matrix_text(table)) << std::flush;
@@ -55,7 +55,7 @@ Exit print_matrix(const MatrixRequest& request, Console console) {
   }
   const bool simulated = std::ranges::any_of(results.dataset.trials, &Trial::simulated);
   if (simulated) console.err << "warning: SIMULATED sessions are among the data\n";
-  return Exit::Done;
+  return ExitCode::Done;
 }
 
 }  // namespace

@@ -20,10 +20,10 @@ constexpr const char* kExamples = R"(Examples:
   bimodal-analysis matrix session.sqlite --unit vowel --condition visual
   bimodal-analysis matrix --help
 
-Exit codes: 0 done, 1 nothing to analyse, 2 wrong usage, 3 invalid input,
+ExitCode codes: 0 done, 1 nothing to analyse, 2 wrong usage, 3 invalid input,
 5 a data file cannot be read, 70 an error in this program.)";
 
-Exit parse_and_run(std::span<const std::string> arguments, Console console) {
+ExitCode parse_and_run(std::span<const std::string> arguments, Console console) {
   CLI::App program{"What the stored sessions of bimodal mean: scores, confusion matrices, reports.",
                    "bimodal-analysis"};
   program.footer(kExamples);
@@ -37,15 +37,15 @@ Exit parse_and_run(std::span<const std::string> arguments, Console console) {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
     program.parse(std::move(reversed));
   } catch (const CLI::ParseError& error) {
-    return program.exit(error, console.out, console.err) == 0 ? Exit::Done : Exit::Usage;
+    return program.exit(error, console.out, console.err) == 0 ? ExitCode::Done : ExitCode::Usage;
   }
   return chosen(console);
 }
 
 }  // namespace
 
-Exit run_program(std::span<const std::string> arguments, Console console) noexcept {
-  const auto complain = [&](const std::exception& error, Exit code) {
+ExitCode run_program(std::span<const std::string> arguments, Console console) noexcept {
+  const auto complain = [&](const std::exception& error, ExitCode code) {
     console.err << "bimodal-analysis: " << describe(error) << '\n';
     return code;
   };
@@ -53,14 +53,14 @@ Exit run_program(std::span<const std::string> arguments, Console console) noexce
     try {
       return parse_and_run(arguments, console);
     } catch (const runner::StoreError& error) {
-      return complain(error, Exit::Store);
+      return complain(error, ExitCode::Store);
     } catch (const Error& error) {
-      return complain(error, Exit::InvalidInput);
+      return complain(error, ExitCode::InvalidInput);
     } catch (const std::exception& error) {
-      return complain(error, Exit::Internal);
+      return complain(error, ExitCode::Internal);
     }
   } catch (...) {
-    return Exit::Internal;
+    return ExitCode::Internal;
   }
 }
 

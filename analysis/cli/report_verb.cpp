@@ -76,12 +76,12 @@ std::vector<Attachment> read_attachments(const ReportRequest& request) {
   return attachments;
 }
 
-Exit make_report(const ReportRequest& request, Console console) {
+ExitCode make_report(const ReportRequest& request, Console console) {
   const auto attachments = read_attachments(request);
   const auto results = analyse_request(request.analysis, console);
   if (results.dataset.trials.empty()) {
     console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
-    return Exit::Findings;
+    return ExitCode::Findings;
   }
   const Making making{.program = fmt::format("bimodal-analysis {}", program_version()),
                       .made_utc = now_utc(),
@@ -105,7 +105,7 @@ Exit make_report(const ReportRequest& request, Console console) {
   write_file(page, report_page(results, attachments, making));
   for (const auto& warning : results.warnings) console.err << "warning: " << warning << '\n';
   console.out << page.string() << std::endl;
-  return Exit::Done;
+  return ExitCode::Done;
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct AnalysisRequest {
 };
 
 /// What the user asked for, filled by the command line; run after it has been read.
-using Verb = std::function<Exit(Console)>;
+using Verb = std::function<ExitCode(Console)>;
 
 /// Adds DATA and the options that choose trials and the dictionary. `request` must outlive `verb`.
 void add_analysis_options(CLI::App& verb, AnalysisRequest& request);

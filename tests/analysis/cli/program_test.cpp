@@ -20,7 +20,7 @@ using testing::StartsWith;
 class Program : public testing::Test {
  protected:
   struct Run {
-    Exit code = Exit::Internal;
+    ExitCode code = ExitCode::Internal;
     std::string out;
     std::string err;
   };
@@ -74,7 +74,7 @@ TEST_F(Program, PrintsAMatrixOfStoredSessionsAsCsv) {
                             "--csv",
                             "--dictionary",
                             dictionary()});
-  EXPECT_EQ(printed.code, Exit::Done);
+  EXPECT_EQ(printed.code, ExitCode::Done);
   EXPECT_THAT(printed.err, IsEmpty());
   EXPECT_EQ(printed.out,
             "\"stimulus\",\"P\",\"B\",\"R\",\"deleted\",\"blank\",\"other\"\n"
@@ -88,7 +88,7 @@ TEST_F(Program, WritesTheReportAndPrintsItsPathLast) {
   const auto folder = in_folder("deep/report");
   const auto made =
       run({"report", data[0], data[1], "-o", folder.string(), "--dictionary", dictionary()});
-  EXPECT_EQ(made.code, Exit::Done) << made.err;
+  EXPECT_EQ(made.code, ExitCode::Done) << made.err;
   EXPECT_EQ(made.out, (folder / "report.html").string() + "\n");
   const auto page = read_file(folder / "report.html");
   EXPECT_THAT(page, HasSubstr(sha256_of_file(data[1])));
@@ -102,7 +102,7 @@ TEST_F(Program, SaysWhyThereIsNothingToAnalyse) {
   const auto data = store("a.sqlite", "P01", {practice});
   const auto made =
       run({"report", data, "-o", in_folder("report").string(), "--dictionary", dictionary()});
-  EXPECT_EQ(made.code, Exit::Findings);
+  EXPECT_EQ(made.code, ExitCode::Findings);
   EXPECT_EQ(made.err,
             "bimodal-analysis: no trial left to analyse: 1 stored in 1 session(s), left out: 1 x "
             "practice trial; check the selection (--include-practice counts practice trials)\n");
@@ -114,14 +114,14 @@ TEST_F(Program, NamesTheConditionsThatThereAre) {
   other.plan.condition = "visual";
   const auto data = store("a.sqlite", "P01", {stored_trial(0, "bat", "B AE T", "pat"), other});
   const auto ambiguous = run({"matrix", data, "--unit", "vowel", "--dictionary", dictionary()});
-  EXPECT_EQ(ambiguous.code, Exit::InvalidInput);
+  EXPECT_EQ(ambiguous.code, ExitCode::InvalidInput);
   EXPECT_EQ(
       ambiguous.err,
       "bimodal-analysis: printing a confusion matrix: the data have several conditions; choose "
       "with --condition one of: auditory, visual\n");
   const auto unknown =
       run({"matrix", data, "--unit", "vowel", "--condition", "av", "--dictionary", dictionary()});
-  EXPECT_EQ(unknown.code, Exit::InvalidInput);
+  EXPECT_EQ(unknown.code, ExitCode::InvalidInput);
   EXPECT_THAT(unknown.err, HasSubstr("the data have no condition \"av\""));
 }
 
@@ -130,26 +130,26 @@ TEST_F(Program, RefusesTheSameFileTwice) {
   const auto copy = in_folder("copy.sqlite");
   std::filesystem::copy_file(data, copy);
   const auto made = run({"matrix", data, copy.string(), "--unit", "vowel"});
-  EXPECT_EQ(made.code, Exit::InvalidInput);
+  EXPECT_EQ(made.code, ExitCode::InvalidInput);
   EXPECT_EQ(made.err,
             "bimodal-analysis: reading '" + copy.string() + "': it has the same content as '" +
                 data + "'; give each file once\n");
 }
 
 TEST_F(Program, ExitsAsItsHelpSays) {
-  EXPECT_EQ(run({"--help"}).code, Exit::Done);
+  EXPECT_EQ(run({"--help"}).code, ExitCode::Done);
   EXPECT_THAT(run({"matrix", "--help"}).out, HasSubstr("Examples:"));
   EXPECT_THAT(run({"report", "--help"}).out, HasSubstr("Examples:"));
   EXPECT_THAT(run({"--version"}).out, StartsWith("bimodal-analysis "));
-  EXPECT_EQ(run({}).code, Exit::Usage);
-  EXPECT_EQ(run({"matrix", "x.sqlite", "--unit", "consonant"}).code, Exit::Usage);
-  EXPECT_EQ(run({"matrix", "no-such.sqlite", "--unit", "vowel"}).code, Exit::InvalidInput);
+  EXPECT_EQ(run({}).code, ExitCode::Usage);
+  EXPECT_EQ(run({"matrix", "x.sqlite", "--unit", "consonant"}).code, ExitCode::Usage);
+  EXPECT_EQ(run({"matrix", "no-such.sqlite", "--unit", "vowel"}).code, ExitCode::InvalidInput);
 }
 
 TEST_F(Program, CallsAFileThatIsNoStoreAStoreError) {
   const examples::Folder folder;
   const auto file = folder.write("text.sqlite", "this is no database at all");
-  EXPECT_EQ(run({"matrix", file.string(), "--unit", "vowel"}).code, Exit::Store);
+  EXPECT_EQ(run({"matrix", file.string(), "--unit", "vowel"}).code, ExitCode::Store);
 }
 
 TEST_F(Program, RefusesAnAttachmentThatNoBrowserShows) {
@@ -157,7 +157,7 @@ TEST_F(Program, RefusesAnAttachmentThatNoBrowserShows) {
   const auto file = folder.write("a:b.txt", "text");
   const auto made = run(
       {"report", "x.sqlite", "-o", "nowhere", "--attach-picture", file.string() + ":a: caption"});
-  EXPECT_EQ(made.code, Exit::InvalidInput);
+  EXPECT_EQ(made.code, ExitCode::InvalidInput);
   EXPECT_EQ(made.err,
             "bimodal-analysis: attaching '" + file.string() +
                 "' to the report: it is no PNG or JPEG picture; convert it\n");
