@@ -7,7 +7,7 @@
 #include "analysis/cli/program.hpp"
 
 int main(int argc, char** argv) {
-  using bimodal::analysis::ExitCode;
+  using bimodal::ExitCode;
   try {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     return static_cast<int>(bimodal::analysis::run_program(

@@ -20,7 +20,7 @@ constexpr const char* kExamples = R"(Examples:
   bimodal-analysis matrix session.sqlite --unit vowel --condition visual
   bimodal-analysis matrix --help
 
-ExitCode codes: 0 done, 1 nothing to analyse, 2 wrong usage, 3 invalid input,
+Exit codes: 0 done, 1 nothing to analyse, 2 wrong usage, 3 invalid input,
 5 a data file cannot be read, 70 an error in this program.)";
 
 ExitCode parse_and_run(std::span<const std::string> arguments, Console console) {
