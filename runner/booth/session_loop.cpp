@@ -82,10 +82,11 @@ class SessionLoop {
     const PreparedTrial trial = parts_.trials.next();
     TrialRecord record;
     record.trial = static_cast<int>(planned.index);
-    TrialMachine machine{{.fixation = parts_.protocol.intervals.fixation,
-                          .time_limit = parts_.protocol.response.time_limit,
-                          .longest_answer =
-                              static_cast<std::size_t>(parts_.protocol.response.longest)}};
+    record.sound = trial.sound_record;
+    TrialMachine machine{
+        {.fixation = parts_.protocol.intervals.fixation,
+         .time_limit = parts_.protocol.response.time_limit,
+         .longest_answer = static_cast<std::size_t>(parts_.protocol.response.longest)}};
     parts_.announce(fmt::format("trial {} of {}: {}",
                                 planned.index + 1,
                                 parts_.plan.size(),
@@ -151,10 +152,9 @@ class SessionLoop {
     if (machine.phase() == TrialMachine::Phase::Confirming) {
       screen.captions = {{.text = kStopQuestion, .centre_y = 0.45, .size = 0.035}};
     } else {
-      screen.captions = {
-          {.text = parts_.protocol.response.prompt, .centre_y = 0.40, .size = 0.035},
-          {.text = machine.answer() + "_", .centre_y = 0.52, .size = 0.05},
-          {.text = "Enter: next word", .centre_y = 0.86, .size = 0.025}};
+      screen.captions = {{.text = parts_.protocol.response.prompt, .centre_y = 0.40, .size = 0.035},
+                         {.text = machine.answer() + "_", .centre_y = 0.52, .size = 0.05},
+                         {.text = "Enter: next word", .centre_y = 0.86, .size = 0.025}};
     }
     present(screen);
   }
