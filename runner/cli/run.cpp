@@ -59,7 +59,8 @@ SdlWindow::Options window_options(const protocols::Protocol& protocol, bool wind
           .background = {channel(16), channel(8), channel(0)}};
 }
 
-/// What is on the screen while the display is measured: the first page, so that nobody waits for it.
+/// What is on the screen while the display is measured: the first page, so that nobody waits for
+/// it.
 Screen opening_screen(const protocols::Protocol& protocol) {
   return protocol.instructions.empty() ? Screen{} : page_screen(protocol.instructions.front());
 }
@@ -99,9 +100,11 @@ PreparationQueue::Prepare make_prepare(const protocols::Protocol& protocol,
     std::optional<FaceTalker> face;
     std::optional<TrialPreparer> preparer;
   };
+
   auto workshop = std::make_shared<Workshop>();
-  const bool has_face = std::ranges::any_of(
-      protocol.conditions, [](const auto& condition) { return condition.visual_talker.has_value(); });
+  const bool has_face = std::ranges::any_of(protocol.conditions, [](const auto& condition) {
+    return condition.visual_talker.has_value();
+  });
   if (has_face) {
     workshop->face.emplace(static_cast<std::size_t>(protocol.window.face_height),
                            protocol.window.background);
@@ -133,7 +136,8 @@ void report_outcome(const SessionOutcome& outcome,
 void refuse_what_nobody_could_answer(const RunOptions& options) {
   if (options.display == "headless" && options.answers == "typed") {
     throw Error{
-        "nobody can type answers without a window; give --answers simulated with --display headless"};
+        "nobody can type answers without a window; give --answers simulated with --display "
+        "headless"};
   }
 }
 
@@ -145,10 +149,10 @@ ExitCode run(const RunOptions& options) {
   const protocols::SessionKey key{
       .participant_number = participant_number(options.participant, options.number),
       .session_number = options.session};
-  const auto plan = shortened_plan(
-      *read, key, {.main_trials = options.trials, .practice = !options.no_practice});
-  const auto data =
-      options.data.empty() ? default_data_file(options.protocol) : std::filesystem::path{options.data};
+  const auto plan =
+      shortened_plan(*read, key, {.main_trials = options.trials, .practice = !options.no_practice});
+  const auto data = options.data.empty() ? default_data_file(options.protocol)
+                                         : std::filesystem::path{options.data};
   const bool simulated = options.answers == "simulated";
   if (!options.again && !simulated) {
     refuse_repetition(data, options.participant, key.session_number, read->sha256);
@@ -175,10 +179,10 @@ ExitCode run(const RunOptions& options) {
     const auto id = store->begin(record, plan_records(protocol, plan));
     if (options.trials || options.no_practice) {
       store->add(id,
-                 EventRecord{.at = devices->clock.now().time_since_epoch(),
-                             .kind = "shortened",
-                             .detail = fmt::format("{} trials by --trials or --no-practice",
-                                                   plan.size())});
+                 EventRecord{
+                     .at = devices->clock.now().time_since_epoch(),
+                     .kind = "shortened",
+                     .detail = fmt::format("{} trials by --trials or --no-practice", plan.size())});
     }
     return id;
   };
@@ -212,7 +216,8 @@ void add_run(CLI::App& app, Verb& chosen) {
       "Examples:\n"
       "  bimodal run words414 --participant P01\n"
       "  bimodal run words414 --participant TEST1 --trials 5 --no-practice --windowed\n"
-      "  bimodal run words414 --participant P01 --display headless --audio none --answers simulated");
+      "  bimodal run words414 --participant P01 --display headless --audio none --answers "
+      "simulated");
   auto options = std::make_shared<RunOptions>();
   verb->add_option("PROTOCOL", options->protocol, "a JSON file, or a protocol of the library")
       ->required();
