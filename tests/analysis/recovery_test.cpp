@@ -311,7 +311,7 @@ TEST_F(Recovery, EveryCellOfTheReportIsWithinSamplingErrorOfTheEnumeration) {
 TEST_F(Recovery, DeviationsTogetherAreAsLargeAsChanceMakesThem) {
   for (std::size_t c = 0; c < conditions().size(); ++c) {
     const auto own = fit(expected_, counted_.cells, c, c);
-    ASSERT_GT(own.cells, 200);
+    ASSERT_GT(own.cells, 100);
     // Each squared deviation has mean 1 and variance about 2.
     EXPECT_NEAR(own.mean_square, 1.0, 5.0 * std::sqrt(2.0 / own.cells)) << conditions()[c].name;
     for (std::size_t other = 0; other < conditions().size(); ++other) {
