@@ -82,6 +82,7 @@ class SessionLoop {
     const PreparedTrial trial = parts_.trials.next();
     TrialRecord record;
     record.trial = static_cast<int>(planned.index);
+    record.sound = trial.sound_record;
     TrialMachine machine{
         {.fixation = parts_.protocol.intervals.fixation,
          .time_limit = parts_.protocol.response.time_limit,

@@ -94,7 +94,8 @@ std::unique_ptr<Devices> open_devices(const protocols::Protocol& protocol,
 PreparationQueue::Prepare make_prepare(const protocols::Protocol& protocol,
                                        const std::vector<protocols::PlannedTrial>& plan,
                                        SpeechBank& bank,
-                                       Hertz drawing_rate) {
+                                       Hertz drawing_rate,
+                                       const std::string& file) {
   struct Workshop {
     std::optional<FaceTalker> face;
     std::optional<TrialPreparer> preparer;
@@ -110,7 +111,7 @@ PreparationQueue::Prepare make_prepare(const protocols::Protocol& protocol,
   }
   workshop->preparer.emplace(
       protocol, bank, workshop->face ? &*workshop->face : nullptr, drawing_rate);
-  const auto found = check_sounds(protocol, plan, *workshop->preparer, "");
+  const auto found = check_sounds(protocol, plan, *workshop->preparer, file);
   if (has_errors(found)) throw Error{describe(found.front())};
   return [workshop](const protocols::PlannedTrial& trial, const Checkpoint& checkpoint) {
     return workshop->preparer->prepare(trial, checkpoint);
@@ -164,7 +165,8 @@ ExitCode run(const RunOptions& options) {
 
   SpeechBank bank{protocol.sound.rate};
   const auto drawing_rate = drawing_rate_for(devices->display->refresh().period);
-  PreparationQueue queue{plan, [&] { return make_prepare(protocol, plan, bank, drawing_rate); }};
+  PreparationQueue queue{
+      plan, [&] { return make_prepare(protocol, plan, bank, drawing_rate, options.protocol); }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     auto record = session_record(*read, options.participant, key);
     record.simulated_answers = simulated;

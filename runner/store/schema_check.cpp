@@ -35,13 +35,13 @@ void check_schema(Database& database, const std::string& file) {
 }
 
 void prepare_schema(Database& database, const std::string& file) {
+  // First judged, for the journal mode is written into the file, which may be somebody else's.
+  const bool is_new = is_empty(database);
+  if (!is_new) check_schema(database, file);
   database.execute("PRAGMA journal_mode = WAL");
   database.execute("PRAGMA synchronous = FULL");
   database.execute("PRAGMA foreign_keys = ON");
-  if (!is_empty(database)) {
-    check_schema(database, file);
-    return;
-  }
+  if (!is_new) return;
   Transaction transaction{database};
   if (is_empty(database)) {  // nobody was quicker
     database.execute(kSchema);
