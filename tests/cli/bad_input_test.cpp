@@ -46,10 +46,6 @@ testing::Matcher<Ended> ended(ExitCode code, const testing::Matcher<std::string>
                testing::Field("exit_code", &Ended::exit_code, static_cast<int>(code)));
 }
 
-void PrintTo(const Ended& run, std::ostream* out) {
-  *out << "exit code " << run.exit_code << "\n" << run.output;
-}
-
 class BadInput : public testing::Test {
  protected:
   BadInput() { files_.write("two.json", kProtocol); }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -60,6 +61,10 @@ inline Ended run_command(const std::filesystem::path& folder,
   close(ends[0]);
   if (failure != 0) throw std::runtime_error{"cannot start env"};
   return ended;
+}
+
+inline void PrintTo(const Ended& run, std::ostream* out) {
+  *out << "exit code " << run.exit_code << "\n" << run.output;
 }
 
 }  // namespace bimodal

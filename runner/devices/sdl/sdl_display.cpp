@@ -40,7 +40,8 @@ SdlDisplay::SdlDisplay(SdlWindow& window, const Screen& opening)
 
 void SdlDisplay::measure_refresh(const Screen& opening) {
   using Kind = SurfaceFeedback::Kind;
-  if (feedback_ && feedback_->offers(Kind::Presented) && measure_answers(Kind::Presented, opening)) {
+  if (feedback_ && feedback_->offers(Kind::Presented) &&
+      measure_answers(Kind::Presented, opening)) {
     source_ = TimeSource::DriverReported;
   } else if (feedback_ ? measure_answers(Kind::FrameDrawn, opening) : measure_swaps(opening)) {
     source_ = TimeSource::SwapReturned;

@@ -1,5 +1,5 @@
-// Holds the schema and the reader together: Debian's python3-jsonschema judges by the schema what the
-// reader judges by itself. Skipped where that is not installed (./dev installs it).
+// Holds the schema and the reader together: Debian's python3-jsonschema judges by the schema what
+// the reader judges by itself. Skipped where that is not installed (./dev installs it).
 
 #include <array>
 #include <cstdio>

@@ -21,7 +21,8 @@ using namespace std::chrono_literals;
 protocols::Protocol protocol() {
   protocols::Protocol made;
   made.instructions = {"Look and listen."};
-  made.conditions = {{.name = "bimodal", .auditory_talker = "festival:kal", .visual_talker = "face"}};
+  made.conditions = {
+      {.name = "bimodal", .auditory_talker = "festival:kal", .visual_talker = "face"}};
   made.breaks = {.every_trials = 2, .text = "Rest."};
   made.response.prompt = "Which word?";
   made.farewell = "Thank you.";
@@ -61,6 +62,7 @@ class PlainTrials final : public TrialSource {
   }
 
   void hold() override {}
+
   void release() override {}
 
   Duration av_offset{};
@@ -72,7 +74,8 @@ class PlainTrials final : public TrialSource {
 
 class MemoryStore final : public SessionStore {
  public:
-  std::int64_t begin(const SessionRecord& /*session*/, std::span<const PlanRecord> /*plan*/) override {
+  std::int64_t begin(const SessionRecord& /*session*/,
+                     std::span<const PlanRecord> /*plan*/) override {
     return 7;
   }
 
@@ -83,7 +86,9 @@ class MemoryStore final : public SessionStore {
   }
 
   void add(std::int64_t /*session*/, const EventRecord& event) override { events.push_back(event); }
-  void end(std::int64_t /*session*/, std::string_view /*how*/, std::string_view /*when*/) override {}
+
+  void end(std::int64_t /*session*/, std::string_view /*how*/, std::string_view /*when*/) override {
+  }
 
   int fail_at = -1;
   std::vector<TrialRecord> trials;
@@ -93,7 +98,8 @@ class MemoryStore final : public SessionStore {
 /// Presses the given keys, one at every 400th poll: longer than a stimulus lasts.
 class ScriptedKeyboard final : public Keyboard {
  public:
-  ScriptedKeyboard(const Clock& clock, std::vector<Key> keys) : clock_{clock}, keys_{std::move(keys)} {}
+  ScriptedKeyboard(const Clock& clock, std::vector<Key> keys)
+      : clock_{clock}, keys_{std::move(keys)} {}
 
   std::vector<Keystroke> poll() override {
     if (next_ == keys_.size() || ++polls_ % 400 != 0) return {};
@@ -115,15 +121,13 @@ class SessionLoopTest : public testing::Test {
     plan_ = plan_of(trials);
     SimulatedKeyboard typist{clock_};
     StoreWriter writer{store_};
-    SessionParts parts{.protocol = protocol_,
-                       .plan = plan_,
-                       .booth = {clock_,
-                                 display_,
-                                 other_keyboard != nullptr ? *other_keyboard : typist,
-                                 audio_},
-                       .trials = trials_,
-                       .store = writer,
-                       .begin = [](const RefreshEstimate&) { return std::int64_t{7}; }};
+    SessionParts parts{
+        .protocol = protocol_,
+        .plan = plan_,
+        .booth = {clock_, display_, other_keyboard != nullptr ? *other_keyboard : typist, audio_},
+        .trials = trials_,
+        .store = writer,
+        .begin = [](const RefreshEstimate&) { return std::int64_t{7}; }};
     if (other_keyboard == nullptr) {
       parts.answer = [](const protocols::PlannedTrial& trial) { return trial.word.spelling; };
     }
