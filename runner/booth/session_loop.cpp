@@ -116,7 +116,7 @@ class SessionLoop {
     const auto refresh = booth_.display.refresh();
     const auto now = booth_.clock.now();
     const CueSheet cues{trial.layout,
-                        drawing_rate_for(refresh.period),
+                        trial.drawing_rate,
                         refresh.period,
                         refresh.phase,
                         std::max(earliest, now + kSchedulingMargin),

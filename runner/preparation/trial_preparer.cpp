@@ -83,7 +83,8 @@ PreparedTrial TrialPreparer::prepare(const PlannedTrial& trial, const Checkpoint
                                     .sound_lead = protocol_.sound.noise.lead,
                                     .sound_trail = protocol_.sound.noise.trail,
                                     .av_offset = protocol_.intervals.av_offset,
-                                    .has_sound = condition.auditory_talker.has_value()}};
+                                    .has_sound = condition.auditory_talker.has_value()},
+                         .drawing_rate = drawing_rate_};
   if (auto mixed = mix_sound(trial)) {
     const auto clipping = clipping_message(trial, condition.name, *mixed);
     if (!clipping.empty()) throw Error{clipping};

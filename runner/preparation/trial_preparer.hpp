@@ -21,6 +21,7 @@ struct PreparedTrial {
   StimulusLayout layout;
   std::optional<Sound> sound;
   std::optional<SoundRecord> sound_record;
+  Hertz drawing_rate{60};    ///< at which the frames follow each other
   std::int64_t frames = 0;   ///< of the face; 0 if it is not seen
   std::optional<Film> film;  ///< absent also where pictures are not drawn (rehearsal)
 };

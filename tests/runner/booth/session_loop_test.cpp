@@ -167,6 +167,25 @@ TEST_F(SessionLoopTest, ShowsEveryFrameOnceAndInTime) {
   }
 }
 
+TEST_F(SessionLoopTest, KeepsToThePreparedFramesWhenTheDisplayIsOfAnotherRate) {
+  SimulatedDisplay slower{clock_, {.rate = Hertz{57.0}}};
+  plan_ = plan_of(1);
+  SimulatedKeyboard typist{clock_};
+  StoreWriter writer{store_};
+  static_cast<void>(
+      run_session({.protocol = protocol_,
+                   .plan = plan_,
+                   .booth = {clock_, slower, typist, audio_},
+                   .trials = trials_,
+                   .store = writer,
+                   .begin = [](const RefreshEstimate&) { return std::int64_t{7}; },
+                   .answer = [](const protocols::PlannedTrial&) { return std::string{"stew"}; }}));
+  const auto& refreshes = store_.trials.at(0).refreshes;
+  EXPECT_EQ(refreshes.frame.size(), 97U);  // 102 frames of 1/60 s last 97 refreshes of 1/57 s
+  EXPECT_LE(refreshes.frame.back(), 101);
+  EXPECT_TRUE(std::ranges::is_sorted(refreshes.frame));
+}
+
 TEST_F(SessionLoopTest, StatesTheAudioVisualOffsetAsAudioMinusVisual) {
   trials_.av_offset = 80ms;
   static_cast<void>(run(1));
