@@ -2,7 +2,20 @@
 
 #include <utility>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 namespace bimodal::runner {
+
+namespace {
+
+/// Lets presentation and sound go first, also before the threads that OpenGL starts from this one.
+void yield_to_presentation() {
+  constexpr int kNiceness = 10;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness);
+}
+
+}  // namespace
 
 PreparationQueue::PreparationQueue(std::vector<protocols::PlannedTrial> plan,
                                    std::function<Prepare()> make_prepare,
@@ -71,6 +84,7 @@ void PreparationQueue::add(PreparedTrial trial) {
 
 void PreparationQueue::work(const std::vector<protocols::PlannedTrial>& plan,
                             const std::function<Prepare()>& make_prepare) {
+  yield_to_presentation();
   try {
     const auto prepare = make_prepare();
     for (const auto& trial : plan) {
