@@ -106,13 +106,24 @@ class SessionLoop {
     return true;
   }
 
+  /// From planning to the first refresh, at least.
+  [[nodiscard]] Duration planning_time(const PreparedTrial& trial) const {
+    return kSchedulingMargin + (trial.layout.has_sound ? booth_.audio.lead_time() : Duration{});
+  }
+
   void present_trial(const PreparedTrial& trial, TrialMachine& machine, TrialRecord& record) {
     Screen fixation;
     fixation.fixation = true;
     const auto shown = booth_.display.present(fixation, booth_.clock.now());
-    for (const auto& stroke : booth_.keyboard.poll()) static_cast<void>(machine.on(stroke));
     const auto commands = machine.on(FixationShown{shown.onset});
     const auto earliest = std::get<StartStimulus>(commands.at(0)).earliest;
+    const auto ahead = planning_time(trial);
+    // Drawn at every refresh: a screen that rests may change its rhythm, and a plan that is made
+    // late follows from the latest refreshes.
+    do {
+      for (const auto& stroke : booth_.keyboard.poll()) static_cast<void>(machine.on(stroke));
+      present(fixation);
+    } while (booth_.clock.now() + ahead < earliest);
     const auto refresh = booth_.display.refresh();
     const auto now = booth_.clock.now();
     const CueSheet cues{trial.layout,

@@ -48,6 +48,7 @@ class StimulusLoop {
 
   void run() {
     if (trial_.sound) booth_.audio.schedule(*trial_.sound, cues_.sound_onset());
+    await_first_refresh();
     std::int64_t index = 0;
     while (cues_.refresh(index) < cues_.end()) {
       const Instant shown = show(index);
@@ -62,6 +63,16 @@ class StimulusLoop {
   }
 
  private:
+  /// The fixation mark stays, drawn at every refresh so that the screen keeps its rhythm.
+  void await_first_refresh() {
+    const Duration period = booth_.display.refresh().period;
+    screen_.fixation = true;
+    while (booth_.clock.now() + 3 * period / 2 < cues_.first_refresh()) {
+      static_cast<void>(booth_.display.present(screen_, booth_.clock.now()));
+      for (const auto& stroke : booth_.keyboard.poll()) static_cast<void>(machine_.on(stroke));
+    }
+  }
+
   Instant show(std::int64_t index) {
     const auto due = cues_.frame_at(index);
     const bool shows_frame = trial_.frames > 0 && due.has_value();
@@ -75,12 +86,12 @@ class StimulusLoop {
     const Instant planned = cues_.refresh(index);
     const auto presented = booth_.display.present(screen_, planned);
     source_ = presented.source;
-    if (presented.lateness > booth_.display.refresh().period / 2) ++missed_;
     if (shows_frame) {
+      if (presented.lateness > booth_.display.refresh().period / 2) ++missed_;
       record_.refreshes.frame.push_back(frame);
       record_.refreshes.planned.push_back(since_zero(planned));
       record_.refreshes.shown.push_back(since_zero(presented.onset));
-      if (!zero_shown_ && planned >= cues_.visual_zero()) zero_shown_ = presented.onset;
+      if (!zero_shown_ && frame >= zero_frame_) zero_shown_ = presented.onset;
     }
     return presented.onset;
   }
@@ -139,6 +150,7 @@ class StimulusLoop {
   Picture picture_;
   TimeSource source_ = TimeSource::Predicted;
   std::optional<Instant> zero_shown_;
+  std::int64_t zero_frame_ = lead_frames(trial_.layout, trial_.drawing_rate);
   int missed_ = 0;
 };
 

@@ -55,7 +55,7 @@ class PlainTrials final : public TrialSource {
                                    .sound_trail = 500ms,
                                    .av_offset = av_offset,
                                    .has_sound = true}};
-    trial.frames = frame_count(trial.layout, Hertz{60});
+    if (has_face) trial.frames = frame_count(trial.layout, Hertz{60});
     trial.sound = Sound{.rate = Hertz{48'000},
                         .samples = std::make_shared<const std::vector<float>>(81'600, 0.1F)};
     return trial;
@@ -66,6 +66,7 @@ class PlainTrials final : public TrialSource {
   void release() override {}
 
   Duration av_offset{};
+  bool has_face = true;
 
  private:
   const std::vector<protocols::PlannedTrial>& plan_;
@@ -134,6 +135,21 @@ class SessionLoopTest : public testing::Test {
     return run_session(parts);
   }
 
+  /// One trial on another display.
+  void run_on(SimulatedDisplay& display) {
+    plan_ = plan_of(1);
+    SimulatedKeyboard typist{clock_};
+    StoreWriter writer{store_};
+    static_cast<void>(run_session(
+        {.protocol = protocol_,
+         .plan = plan_,
+         .booth = {clock_, display, typist, audio_},
+         .trials = trials_,
+         .store = writer,
+         .begin = [](const RefreshEstimate&) { return std::int64_t{7}; },
+         .answer = [](const protocols::PlannedTrial&) { return std::string{"stew"}; }}));
+  }
+
   VirtualClock clock_;
   SimulatedDisplay display_{clock_};
   SimulatedAudio audio_{clock_, Hertz{48'000}};
@@ -169,21 +185,20 @@ TEST_F(SessionLoopTest, ShowsEveryFrameOnceAndInTime) {
 
 TEST_F(SessionLoopTest, KeepsToThePreparedFramesWhenTheDisplayIsOfAnotherRate) {
   SimulatedDisplay slower{clock_, {.rate = Hertz{57.0}}};
-  plan_ = plan_of(1);
-  SimulatedKeyboard typist{clock_};
-  StoreWriter writer{store_};
-  static_cast<void>(
-      run_session({.protocol = protocol_,
-                   .plan = plan_,
-                   .booth = {clock_, slower, typist, audio_},
-                   .trials = trials_,
-                   .store = writer,
-                   .begin = [](const RefreshEstimate&) { return std::int64_t{7}; },
-                   .answer = [](const protocols::PlannedTrial&) { return std::string{"stew"}; }}));
+  run_on(slower);
   const auto& refreshes = store_.trials.at(0).refreshes;
   EXPECT_EQ(refreshes.frame.size(), 97U);  // 102 frames of 1/60 s last 97 refreshes of 1/57 s
   EXPECT_LE(refreshes.frame.back(), 101);
   EXPECT_TRUE(std::ranges::is_sorted(refreshes.frame));
+}
+
+TEST_F(SessionLoopTest, ReportsTheOnsetOfTheFrameOfTimeZeroHoweverLittleTheRatesDiffer) {
+  SimulatedDisplay faster{clock_, {.rate = Hertz{60.01}}};
+  run_on(faster);
+  const auto& visual = store_.trials.at(0).onsets.at(0);
+  ASSERT_EQ(visual.modality, "visual");
+  const Duration error = *visual.reported - visual.planned;
+  EXPECT_NEAR(std::chrono::duration<double>(error).count(), 30.0 / 60.01 - 0.5, 1e-6);
 }
 
 TEST_F(SessionLoopTest, StatesTheAudioVisualOffsetAsAudioMinusVisual) {
@@ -210,6 +225,32 @@ TEST_F(SessionLoopTest, FlagsATrialWhoseFramesWereLateAndSaysHowMany) {
   ASSERT_EQ(trial.events.size(), 1U);
   EXPECT_EQ(trial.events[0].kind, "late_frame");
   EXPECT_EQ(trial.refreshes.frame.size(), 99U);  // three left out rather than shown late
+}
+
+TEST_F(SessionLoopTest, DoesNotFlagATrialWithoutFaceForALateFixationMark) {
+  trials_.has_face = false;
+  int presented = 0;
+  display_.observe([&](const Screen& screen, const Presentation&) {
+    if (screen.fixation && ++presented == 60) display_.drop_next(3);
+  });
+  const auto outcome = run(1);
+  ASSERT_GT(presented, 60);
+  EXPECT_EQ(outcome.flagged, 0);
+  EXPECT_THAT(store_.trials.at(0).events, testing::IsEmpty());
+}
+
+TEST_F(SessionLoopTest, ShowsTheFixationMarkAtEveryRefreshUntilTheStimulusBegins) {
+  std::vector<Instant> refreshes;
+  display_.observe([&](const Screen& screen, const Presentation& shown) {
+    if (screen.captions.empty() && screen.fixation) refreshes.push_back(shown.onset);
+  });
+  trials_.has_face = false;  // the mark stays during the sound
+  static_cast<void>(run(1));
+  ASSERT_GT(refreshes.size(), 100U);
+  const Duration period = display_.refresh().period;
+  for (std::size_t i = 1; i < refreshes.size(); ++i) {
+    ASSERT_LT(refreshes[i] - refreshes[i - 1], 3 * period / 2) << "refresh " << i;
+  }
 }
 
 TEST_F(SessionLoopTest, StopsAndShowsANeutralScreenWhenDataCannotBeKept) {
