@@ -14,7 +14,7 @@
 #include "runner/devices/simulated/simulated_display.hpp"
 #include "runner/devices/simulated/simulated_keyboard.hpp"
 #include "runner/devices/simulated/virtual_clock.hpp"
-#include "runner/preparation/immediate_trials.hpp"
+#include "runner/preparation/timeless_trials.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {
@@ -35,7 +35,7 @@ struct RehearseOptions {
 struct Rehearsal {
   const protocols::ReadProtocol& read;
   const RehearseOptions& options;
-  SpeechBank& bank;
+  TrialPreparer& preparer;
   SessionStore& store;
   StoreWriter& writer;
 };
@@ -47,9 +47,12 @@ int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) 
   SimulatedDisplay display{clock, {.rate = Hertz{rehearsal.options.refresh_hz}}};
   SimulatedKeyboard keyboard{clock};
   SimulatedAudio audio{clock, protocol.sound.rate};
-  TrialPreparer preparer{
-      protocol, rehearsal.bank, nullptr, drawing_rate_for(display.refresh().period)};
-  ImmediateTrials trials{plan, preparer};
+  TimelessTrials trials{plan, [&rehearsal] {
+                          return [&rehearsal](const protocols::PlannedTrial& trial,
+                                              const Checkpoint& checkpoint) {
+                            return rehearsal.preparer.prepare(trial, checkpoint);
+                          };
+                        }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     auto record =
         session_record(rehearsal.read, fmt::format("S{:02}", key.participant_number), key);
@@ -90,7 +93,9 @@ ExitCode rehearse(const RehearseOptions& options) {
   const auto store = open_sqlite_store(data);
   StoreWriter writer{*store};
   SpeechBank bank{read->protocol.sound.rate};
-  const Rehearsal rehearsal{*read, options, bank, *store, writer};
+  TrialPreparer preparer{
+      read->protocol, bank, nullptr, drawing_rate_for(period_of(Hertz{options.refresh_hz}))};
+  const Rehearsal rehearsal{*read, options, preparer, *store, writer};
   const bool to_terminal = isatty(STDERR_FILENO) == 1;
   int trials = 0;
   for (int participant = 0; participant < options.participants; ++participant) {

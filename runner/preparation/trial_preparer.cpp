@@ -61,16 +61,21 @@ std::optional<Mix> TrialPreparer::mix_sound(const PlannedTrial& trial) {
   if (!condition.auditory_talker) return std::nullopt;
   const auto& item = spoken(trial);
   const auto& noise = protocol_.sound.noise;
-  return mix({.speech = &item.sound,
-              .interval = speech_interval(item.utterance),
-              .snr = condition.snr,
-              .speech_level = protocol_.sound.speech_level,
-              .band = {.low = noise.band_low, .high = noise.band_high},
-              .lead = noise.lead,
-              .trail = noise.trail,
-              .ramp = noise.ramp,
-              .noise_seed = trial.noise_seed},
-             fourier_);
+  const auto known = levels_.find(&item);
+  const auto level = known != levels_.end() ? std::optional{known->second} : std::nullopt;
+  auto mixed = mix({.speech = &item.sound,
+                    .interval = speech_interval(item.utterance),
+                    .snr = condition.snr,
+                    .speech_level = protocol_.sound.speech_level,
+                    .band = {.low = noise.band_low, .high = noise.band_high},
+                    .lead = noise.lead,
+                    .trail = noise.trail,
+                    .ramp = noise.ramp,
+                    .noise_seed = trial.noise_seed,
+                    .recording_level = level},
+                   fourier_);
+  if (mixed) levels_[&item] = mixed->recording_level;
+  return mixed;
 }
 
 PreparedTrial TrialPreparer::prepare(const PlannedTrial& trial, const Checkpoint& checkpoint) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "protocols/design/plan.hpp"
@@ -50,6 +51,7 @@ class TrialPreparer {
   FaceTalker* face_;
   Hertz drawing_rate_;
   FourierTransform fourier_;
+  std::unordered_map<const synth::SpokenItem*, Decibels> levels_;  ///< of recordings, once measured
 };
 
 /// What must be said if a trial's sound would clip; empty if it would not.

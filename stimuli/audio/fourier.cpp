@@ -22,6 +22,8 @@ bool is_fast(std::size_t length) {
   return length == 1;
 }
 
+constexpr std::size_t kKeptPlans = 32;  ///< of up to a megabyte each
+
 // std::complex<float> is laid out as float[2] by the standard, kiss_fft_cpx is struct {r, i}.
 static_assert(sizeof(kiss_fft_cpx) == sizeof(std::complex<float>));
 
@@ -33,12 +35,22 @@ std::size_t fast_length(std::size_t samples) {
   return 2 * half;
 }
 
+std::size_t common_fast_length(std::size_t samples) {
+  constexpr std::size_t kLong = 16384;
+  constexpr std::size_t kUnit = 2048;
+  if (samples <= kLong) return fast_length(samples);
+  std::size_t units = (samples + kUnit - 1) / kUnit;
+  while (!is_fast(units)) ++units;
+  return kUnit * units;
+}
+
 struct FourierTransform::Plans {
   std::map<std::pair<std::size_t, bool>, Plan> plans;  // by length and whether inverse
   std::vector<float> signal;
   std::vector<std::complex<float>> bins;
 
   kiss_fftr_cfg plan(std::size_t length, bool inverse) {
+    if (plans.size() >= kKeptPlans && !plans.contains({length, inverse})) plans.clear();
     auto& found = plans[{length, inverse}];
     if (!found) {
       found.reset(kiss_fftr_alloc(static_cast<int>(length), inverse ? 1 : 0, nullptr, nullptr));

@@ -12,9 +12,13 @@ namespace bimodal {
 /// fast. At least 2.
 [[nodiscard]] std::size_t fast_length(std::size_t samples);
 
-/// Discrete Fourier transforms of real signals (kissfft, 32-bit float). A plan is made once per
-/// length and direction and kept, because making it costs more than using it. Used by one thread at
-/// a time; equal input gives equal output, bit for bit, on one machine.
+/// The same, but above 16384 a multiple of 2048 too: one of few lengths, at most an eighth longer
+/// than needed, so that the plan for it is soon found again.
+[[nodiscard]] std::size_t common_fast_length(std::size_t samples);
+
+/// Discrete Fourier transforms of real signals (kissfft, 32-bit float). A few plans, each for a
+/// length and direction, are kept for the next time, because making one costs more than using it.
+/// Used by one thread at a time; equal input gives equal output, bit for bit, on one machine.
 class FourierTransform {
  public:
   FourierTransform();

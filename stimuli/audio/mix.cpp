@@ -26,10 +26,8 @@ std::size_t samples_in(Duration duration, Hertz rate, const char* name) {
   return static_cast<std::size_t>(nearest_sample(duration, rate).count());
 }
 
-/// The recording with faded edges, at the level asked for.
-Clip levelled(const MixRequest& request, FourierTransform& fourier) {
-  Clip speech = *request.speech;
-  apply_ramps(speech.samples, samples_in(kEdgeFade, speech.rate, "fade"));
+/// The level of the speech in its recording with faded edges.
+Decibels level_of(const Clip& speech, const MixRequest& request, FourierTransform& fourier) {
   const auto found = band_level(cut(speech, request.interval), speech.rate, request.band, fourier);
   if (!std::isfinite(found.count())) {
     throw Error{fmt::format(
@@ -40,9 +38,7 @@ Clip levelled(const MixRequest& request, FourierTransform& fourier) {
         request.band.high.count(),
         found.count() < 0.0 ? "silent" : "not made of numbers")};
   }
-  const auto gain = static_cast<float>(amplitude(request.speech_level - found));
-  for (auto& sample : speech.samples) sample *= gain;
-  return speech;
+  return found;
 }
 
 double largest_absolute(std::span<const float> samples) {
@@ -54,8 +50,12 @@ double largest_absolute(std::span<const float> samples) {
 
 std::optional<Mix> mix(const MixRequest& request, FourierTransform& fourier) {
   if (request.speech == nullptr) return std::nullopt;
-  const Clip speech = levelled(request, fourier);
+  Clip speech = *request.speech;
   const auto rate = speech.rate;
+  apply_ramps(speech.samples, samples_in(kEdgeFade, rate, "fade"));
+  const auto found =
+      request.recording_level ? *request.recording_level : level_of(speech, request, fourier);
+  const auto gain = static_cast<float>(amplitude(request.speech_level - found));
   const auto lead = samples_in(request.lead, rate, "lead");
   const auto trail = samples_in(request.trail, rate, "trail");
 
@@ -63,6 +63,7 @@ std::optional<Mix> mix(const MixRequest& request, FourierTransform& fourier) {
   made.sound.rate = rate;
   made.band = request.band;
   made.speech_dbfs = request.speech_level.count();
+  made.recording_level = found;
   const auto length = lead + speech.samples.size() + trail;
   if (request.snr) {
     const auto noise_level = request.speech_level - *request.snr;
@@ -78,7 +79,7 @@ std::optional<Mix> mix(const MixRequest& request, FourierTransform& fourier) {
     made.sound.samples.assign(length, 0.0F);
   }
   for (std::size_t i = 0; i < speech.samples.size(); ++i) {
-    made.sound.samples[lead + i] += speech.samples[i];
+    made.sound.samples[lead + i] += speech.samples[i] * gain;
   }
   made.peak = largest_absolute(made.sound.samples);
   const Duration shift{std::llround(1e9 * static_cast<double>(lead) / rate.count())};

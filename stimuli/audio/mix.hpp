@@ -23,6 +23,9 @@ struct MixRequest {
   Duration trail = std::chrono::milliseconds{500};  ///< after it ends
   Duration ramp = std::chrono::milliseconds{50};    ///< of the noise, at both ends
   Seed noise_seed = 0;
+  /// The recording's own level as an earlier Mix of the same recording, interval and band has it;
+  /// absent: measured.
+  std::optional<Decibels> recording_level;
 };
 
 /// The very samples of one trial, and what is true of them.
@@ -30,6 +33,7 @@ struct Mix {
   Clip sound;
   double speech_dbfs = 0.0;          ///< level in the band over the speech interval
   std::optional<double> noise_dbfs;  ///< level in the band between the ramps
+  Decibels recording_level{0.0};     ///< of the speech before it was brought to its level
   Band band;
   double peak = 0.0;      ///< largest absolute sample; more than 1 would clip
   SpeechInterval speech;  ///< within the sound

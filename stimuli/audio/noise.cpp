@@ -60,7 +60,7 @@ std::vector<float> band_noise(const NoiseRequest& request, FourierTransform& fou
                     request.samples,
                     request.ramp)};
   }
-  const auto length = fast_length(request.samples);
+  const auto length = common_fast_length(request.samples);
   const auto in_band = bins_within(request.band, request.rate, length);
   const auto spectrum = fourier.empty_spectrum(length);
   Random random{request.seed};

@@ -22,8 +22,8 @@ struct NoiseRequest {
 /// White Gaussian noise limited to a band at any sampling rate, with raised-cosine ramps at both
 /// ends.
 ///
-/// Made in the frequency domain: of the N = fast_length(samples) point spectrum, every bin k with
-/// low <= k rate / N <= high (less 0 and rate / 2) gets independent standard normal real and
+/// Made in the frequency domain: of the N = common_fast_length(samples) point spectrum, every bin k
+/// with low <= k rate / N <= high (less 0 and rate / 2) gets independent standard normal real and
 /// imaginary parts, all others are zero; the first `samples` of the inverse transform are scaled so
 /// that the RMS of the steady part (what lies between the ramps) is `level` exactly. Cutting out
 /// spreads less than a ten-thousandth of the power beyond the band's edges, so that this is the

@@ -36,6 +36,29 @@ constexpr const char* kOwnAh =
 constexpr const char* kUseOwnAh =
     "(set! UniSyn_module_hooks (list kal_diphone_const_clusters bimodal_own_ah))";
 
+// Festival's mapping of pitch marks reads the time of one mark more than there are, and what lies
+// in memory there decides how the end of a word sounds. So a mark that is never the nearest is put
+// behind the last before it maps.
+constexpr const char* kGuardedMapping =
+    "(begin"
+    "  (set! bimodal_mapping us_mapping)"
+    "  (define (us_mapping utt method)"
+    "    (bimodal_guard utt)"
+    "    (bimodal_mapping utt method)))";
+constexpr float kNeverNearest = 1e6F;  // s
+
+LISP add_guard(LISP of_utterance) {
+  EST_Utterance* const spoken = utterance(of_utterance);
+  if (spoken->relation_present("SourceCoef") == 0) return of_utterance;
+  EST_Item* const item = spoken->relation("SourceCoef")->head();
+  if (item == nullptr || item->f_present("coefs") == 0) return of_utterance;
+  EST_Track& marks = *track(item->f("coefs"));
+  const int count = marks.num_frames();
+  marks.resize(count + 1, marks.num_channels());
+  marks.t(count) = kNeverNearest;
+  return of_utterance;
+}
+
 /// What Festival prints while it lives goes here, and not onto the user's terminal.
 class CapturedStreams {
  public:
@@ -162,11 +185,12 @@ void Festival::start() {
   }
   const CapturedStreams captured;
   festival_initialize(0, kHeapCells);
+  init_subr_1("bimodal_guard", add_guard, "(bimodal_guard UTT) See kGuardedMapping.");
   // Set before init.scm looks for the start-up files of user and site below these folders.
   const bool ready = evaluates("(set! home-directory \"/nonexistent\")") &&
                      evaluates("(set! sysconfdir \"/nonexistent\")") &&
                      evaluates("(load (path-append datadir \"init.scm\"))") && evaluates(kOwnAh) &&
-                     evaluates(fmt::format("(set! {} nil)", kText));
+                     evaluates(kGuardedMapping) && evaluates(fmt::format("(set! {} nil)", kText));
   if (!ready) {
     throw Error{fmt::format(
         "cannot start Festival from '{}': {}", start_up_file.string(), captured.text())};

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -137,6 +138,18 @@ TEST(FastLength, IsTheNextEvenProductOfTwoThreeAndFive) {
     while (expected % 2 != 0 || !is_product(expected)) ++expected;
     ASSERT_EQ(fast_length(n), expected);
   }
+}
+
+TEST(CommonFastLength, IsAmongFewForSoundsOfOneToThreeSeconds) {
+  std::set<std::size_t> lengths;
+  for (std::size_t n = 48'000; n <= 144'000; ++n) {
+    const auto length = common_fast_length(n);
+    ASSERT_GE(length, n);
+    ASSERT_LE(length, n + n / 8);
+    ASSERT_EQ(length % 2048, 0U);
+    lengths.insert(length);
+  }
+  EXPECT_LE(lengths.size(), 20U);
 }
 
 TEST(FourierTransform, TurnsASpectrumBackIntoItsSignal) {

@@ -151,6 +151,15 @@ TEST(Mix, IsTheSameForTheSameRequest) {
   EXPECT_NE(sha256(first.sound), sha256(mix(wanted, fourier).value().sound));
 }
 
+TEST(Mix, NeedsTheLevelOfARecordingOnlyOnce) {
+  FourierTransform fourier;
+  const auto speech = word(44'100, 6);
+  auto wanted = request(speech, -8.0);
+  const auto measured = mix(wanted, fourier).value();
+  wanted.recording_level = measured.recording_level;
+  EXPECT_EQ(mix(wanted, fourier).value().sound.samples, measured.sound.samples);
+}
+
 TEST(Mix, SaysHowManyDecibelsOfHeadroomAreLacking) {
   FourierTransform fourier;
   const auto speech = word(48'000, 6);
