@@ -68,8 +68,7 @@ Scores score_behind(std::span<const Phone> stimulus, std::span<const Phone> answ
 
 void keep_different(std::vector<Partner>& partners) {
   std::ranges::sort(partners);
-  const auto repeated = std::ranges::unique(partners);
-  partners.erase(repeated.begin(), repeated.end());
+  partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
 }
 
 }  // namespace

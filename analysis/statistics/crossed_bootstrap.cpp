@@ -21,7 +21,7 @@ constexpr unsigned kTrialsShift = 32;
 
 /// The words that one participant met, next to each other in memory.
 struct Row {
-  std::uint32_t participant;
+  std::uint32_t participant = 0;
   std::vector<std::uint32_t> words;
   std::vector<std::uint64_t> sums;  ///< trials << 32 | successes
 };

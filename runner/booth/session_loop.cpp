@@ -77,9 +77,9 @@ class SessionLoop {
 
   bool run_trial(const TrialStep& step) {
     const auto& planned = parts_.plan.at(step.trial);
-    begin_once();
     await_preparation(step.progress);
     const PreparedTrial trial = parts_.trials.next();
+    begin_once();  // after preparing: of a session that cannot be prepared nothing is stored
     TrialRecord record;
     record.trial = static_cast<int>(planned.index);
     record.sound = trial.sound_record;

@@ -32,9 +32,7 @@ ExitCode perform(const bimodal::runner::Verb& verb) {
   }
 }
 
-}  // namespace
-
-int main(int count, char** arguments) {
+ExitCode perform_what_is_asked(int count, char** arguments) {
   CLI::App app{
       "bimodal runs perceptual experiments on bimodal speech: what people understand from a "
       "voice,\n"
@@ -59,8 +57,18 @@ int main(int count, char** arguments) {
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? static_cast<int>(ExitCode::Done)
-                                : static_cast<int>(ExitCode::Usage);
+    return app.exit(error) == 0 ? ExitCode::Done : ExitCode::Usage;
   }
-  return static_cast<int>(perform(verb));
+  return perform(verb);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return static_cast<int>(perform_what_is_asked(count, arguments));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bimodal: %s\n", error.what());
+    return static_cast<int>(ExitCode::Internal);
+  }
 }

@@ -157,9 +157,12 @@ ExitCode run(const RunOptions& options) {
   if (!options.again && !simulated) {
     refuse_repetition(data, options.participant, key.session_number, read->sha256);
   }
-  const auto store = open_sqlite_store(data);
-  StoreWriter writer{*store};
+  // A new file is made only when the devices are there; an old one is opened before anything shows.
+  auto store = std::filesystem::exists(data) ? open_sqlite_store(data) : nullptr;
+  if (!store) require_place_for(data);
   const auto devices = open_devices(protocol, options);
+  if (!store) store = open_sqlite_store(data);
+  StoreWriter writer{*store};
   if (options.display == "headless") fmt::print("no display: nothing is shown\n");
   if (options.audio == "none") fmt::print("no audio: nothing is heard\n");
 

@@ -36,4 +36,7 @@ class SessionStore {
 /// is appended to. Throws StoreError if it is of a newer schema, no bimodal file, or not writable.
 [[nodiscard]] std::unique_ptr<SessionStore> open_sqlite_store(const std::filesystem::path& file);
 
+/// Throws StoreError if a new `file` could not be made in its folder; makes nothing.
+void require_place_for(const std::filesystem::path& file);
+
 }  // namespace bimodal::runner

@@ -7,29 +7,36 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "runner/store/session_store.hpp"
 #include "runner/store/store_error.hpp"
 
 namespace bimodal::runner {
 
 namespace {
 
+[[noreturn]] void fail_to_write(const std::filesystem::path& file) {
+  throw StoreError{fmt::format(
+      "cannot open the data file '{}' for writing: {}; choose a folder that you may write to"
+      " with --data",
+      file.string(),
+      std::error_code{errno, std::generic_category()}.message())};
+}
+
 /// Makes the file before SQLite would, so that it is never readable by others, not even for a
 /// moment.
 void make_private(const std::filesystem::path& file) {
   constexpr mode_t kOwnerOnly = 0600;
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kOwnerOnly);
-  if (descriptor < 0) {
-    const auto why = std::error_code{errno, std::generic_category()}.message();
-    throw StoreError{fmt::format(
-        "cannot open the data file '{}' for writing: {}; choose a folder that you may write to"
-        " with --data",
-        file.string(),
-        why)};
-  }
+  if (descriptor < 0) fail_to_write(file);
   ::close(descriptor);
 }
 
 }  // namespace
+
+void require_place_for(const std::filesystem::path& file) {
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path{"."};
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) fail_to_write(file);
+}
 
 Database::Database(const std::filesystem::path& file, Access access) : file_{file.string()} {
   if (access == Access::Write) {
@@ -104,7 +111,7 @@ Statement& Statement::bind(std::string_view value) {
                             next_parameter_++,
                             value.empty() ? "" : value.data(),
                             value.size(),
-                            SQLITE_TRANSIENT,  // NOLINT: SQLite's own macro casts
+                            SQLITE_TRANSIENT,
                             SQLITE_UTF8));
   return *this;
 }

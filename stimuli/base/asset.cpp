@@ -12,8 +12,7 @@ namespace bimodal {
 
 std::filesystem::path asset(std::string_view path_in_project) {
   std::vector<std::filesystem::path> roots;
-  if (const char* root = std::getenv("BIMODAL_ROOT");
-      root != nullptr) {  // NOLINT(concurrency-mt-unsafe): nothing sets it
+  if (const char* root = std::getenv("BIMODAL_ROOT"); root != nullptr) {
     roots.emplace_back(root);
   }
   std::error_code ignored;

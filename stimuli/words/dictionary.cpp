@@ -129,8 +129,7 @@ Dictionary::Dictionary(const std::filesystem::path& file) {
 }
 
 std::filesystem::path Dictionary::installed() {
-  const char* chosen =
-      std::getenv("BIMODAL_DICTIONARY");  // NOLINT(concurrency-mt-unsafe): nothing sets it
+  const char* chosen = std::getenv("BIMODAL_DICTIONARY");
   const std::filesystem::path file{chosen != nullptr ? std::string_view{chosen} : kInstalled};
   if (std::error_code ignored; !std::filesystem::exists(file, ignored)) {
     throw Error{fmt::format("looking for the pronouncing dictionary: there is no file '{}'; {}",

@@ -19,13 +19,12 @@ GLuint new_buffer() {
 
 void describe_attribute(GLuint slot, GLint components, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(slot);
-  glVertexAttribPointer(
-      slot,
-      components,
-      GL_FLOAT,
-      GL_FALSE,
-      static_cast<GLsizei>(stride),
-      reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr): OpenGL's custom
+  glVertexAttribPointer(slot,
+                        components,
+                        GL_FLOAT,
+                        GL_FALSE,
+                        static_cast<GLsizei>(stride),
+                        reinterpret_cast<const void*>(offset));
 }
 
 void describe_fixed_attributes() {
@@ -114,8 +113,7 @@ void MeshBuffers::draw(HeadPart part, Side side) const {
   glDrawElements(GL_TRIANGLES,
                  static_cast<GLsizei>(count),
                  GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(  // NOLINT(performance-no-int-to-ptr)
-                     range.first * sizeof(std::uint32_t)));
+                 reinterpret_cast<const void*>(range.first * sizeof(std::uint32_t)));
 }
 
 }  // namespace bimodal::synth

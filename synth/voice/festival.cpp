@@ -106,8 +106,8 @@ FestivalSpeech copied(EST_Utterance& utterance, const EST_Wave& sound) {
   for (EST_Item* item = utterance.relation("Segment")->head(); item != nullptr;
        item = inext(item)) {
     const EST_String symbol = item->S("name");
-    speech.segments.push_back(
-        {.symbol = static_cast<const char*>(symbol), .end_s = item->F("end", -1.0F)});
+    speech.segments.push_back({.symbol = static_cast<const char*>(symbol),
+                               .end_s = static_cast<double>(item->F("end", -1.0F))});
   }
   return speech;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <csignal>
 #include <filesystem>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fcntl.h>
@@ -20,47 +22,97 @@ struct Ended {
   int exit_code = -1;  ///< -1: ended by a signal
 };
 
-/// Runs a program of this build in `folder` and waits for its end. `environment` holds operands of
-/// env(1): "NAME=value" sets a variable, "-u" "NAME" takes one away.
+/// A program of this build that runs in `folder`. `environment` holds operands of env(1):
+/// "NAME=value" sets a variable, "-u" "NAME" takes one away.
+class StartedCommand {
+ public:
+  StartedCommand(const std::filesystem::path& folder,
+                 const std::string& program,
+                 const std::vector<std::string>& arguments,
+                 const std::vector<std::string>& environment = {}) {
+    std::vector<std::string> words{"env", "-C", folder.string()};
+    words.insert(words.end(), environment.begin(), environment.end());
+    words.push_back(std::string{BIMODAL_BIN "/"} + program);
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
+    for (auto& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error{"pipe2 failed"};
+    posix_spawn_file_actions_t actions{};
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    const int failure = posix_spawnp(&child_, "env", &actions, nullptr, pointers.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[1]);
+    from_ = ends[0];
+    if (failure != 0) {
+      close(from_);
+      throw std::runtime_error{"cannot start env"};
+    }
+  }
+
+  StartedCommand(const StartedCommand&) = delete;
+  StartedCommand& operator=(const StartedCommand&) = delete;
+  StartedCommand(StartedCommand&&) = delete;
+  StartedCommand& operator=(StartedCommand&&) = delete;
+
+  ~StartedCommand() {
+    if (child_ > 0) {
+      kill(child_, SIGKILL);
+      waitpid(child_, nullptr, 0);
+    }
+    close(from_);
+  }
+
+  /// Waits until the program has written `text`; false if it ends without.
+  bool await(std::string_view text) {
+    while (output_.find(text) == std::string::npos) {
+      if (!read_on()) return false;
+    }
+    return true;
+  }
+
+  /// Ends it as a power cut would.
+  void kill_at_once() const { kill(child_, SIGKILL); }
+
+  /// Waits until it ends.
+  Ended end() {
+    while (read_on()) {
+    }
+    Ended ended{.output = output_};
+    int status = 0;
+    if (waitpid(child_, &status, 0) == child_ && WIFEXITED(status)) {
+      ended.exit_code = WEXITSTATUS(status);
+    }
+    child_ = 0;
+    return ended;
+  }
+
+ private:
+  bool read_on() {
+    std::array<char, 4096> part{};
+    const auto count = read(from_, part.data(), part.size());
+    if (count <= 0) return false;
+    output_.append(part.data(), static_cast<std::size_t>(count));
+    return true;
+  }
+
+  pid_t child_ = 0;
+  int from_ = -1;
+  std::string output_;
+};
+
+/// Runs it and waits for its end.
 inline Ended run_command(const std::filesystem::path& folder,
                          const std::string& program,
                          const std::vector<std::string>& arguments,
                          const std::vector<std::string>& environment = {}) {
-  std::vector<std::string> words{"env", "-C", folder.string()};
-  words.insert(words.end(), environment.begin(), environment.end());
-  words.push_back(std::string{BIMODAL_BIN "/"} + program);
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> pointers;
-  pointers.reserve(words.size() + 1);
-  for (auto& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error{"pipe2 failed"};
-  posix_spawn_file_actions_t actions{};
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-  pid_t child = 0;
-  const int failure = posix_spawnp(&child, "env", &actions, nullptr, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(ends[1]);
-  Ended ended;
-  if (failure == 0) {
-    std::array<char, 4096> part{};
-    ssize_t count = 0;
-    while ((count = read(ends[0], part.data(), part.size())) > 0) {
-      ended.output.append(part.data(), static_cast<std::size_t>(count));
-    }
-    int status = 0;
-    if (waitpid(child, &status, 0) == child && WIFEXITED(status)) {
-      ended.exit_code = WEXITSTATUS(status);
-    }
-  }
-  close(ends[0]);
-  if (failure != 0) throw std::runtime_error{"cannot start env"};
-  return ended;
+  return StartedCommand{folder, program, arguments, environment}.end();
 }
 
 inline void PrintTo(const Ended& run, std::ostream* out) {

@@ -120,7 +120,8 @@ void PortaudioOutput::Stream::open(const PortaudioOptions& options) {
   parameters.device = device.index;
   parameters.channelCount = static_cast<int>(channels);
   parameters.sampleFormat = paFloat32;
-  parameters.suggestedLatency = device.low_latency;
+  // Sounds are scheduled ahead, so that a short latency would gain nothing and risk gaps.
+  parameters.suggestedLatency = device.safe_latency;
   // paClipOff: clipping is found and reported before the session, not hidden here.
   PaError failure = Pa_OpenStream(&stream,
                                   nullptr,

@@ -22,7 +22,7 @@ AudioDevice device_at(PaDeviceIndex index, const PaDeviceInfo& found) {
           .host = host != nullptr ? host->name : "unknown",
           .channels = found.maxOutputChannels,
           .default_rate = found.defaultSampleRate,
-          .low_latency = found.defaultLowOutputLatency,
+          .safe_latency = found.defaultHighOutputLatency,
           .is_default = index == Pa_GetDefaultOutputDevice()};
 }
 

@@ -28,7 +28,7 @@ struct AudioDevice {
   std::string host;  ///< "ALSA", "JACK Audio Connection Kit"
   int channels = 0;
   double default_rate = 0.0;
-  double low_latency = 0.0;  ///< s
+  double safe_latency = 0.0;  ///< s, with which the host expects no gaps
   bool is_default = false;
 };
 

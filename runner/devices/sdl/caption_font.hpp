@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-struct _TTF_Font;  // NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): SDL_ttf's
+struct _TTF_Font;  // SDL_ttf's
 
 namespace bimodal::runner {
 

@@ -112,7 +112,6 @@ ScreenPainter::ScreenPainter(const Colour& background)
   glBufferData(GL_ARRAY_BUFFER, 16 * sizeof(float), nullptr, GL_STREAM_DRAW);
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 4 * sizeof(float), nullptr);
   constexpr auto kAfterPlace = 2 * sizeof(float);
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset in the shape of a pointer
   const auto* after_place = reinterpret_cast<const void*>(kAfterPlace);
   glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, 4 * sizeof(float), after_place);
   glEnableVertexAttribArray(0);

@@ -27,7 +27,7 @@ std::unique_ptr<SurfaceFeedback> feedback_of(const SdlWindow& window) {
   SDL_VERSION(&native.version);
   if (SDL_GetWindowWMInfo(window.native(), &native) != SDL_TRUE) return nullptr;
   if (native.subsystem != SDL_SYSWM_WAYLAND) return nullptr;
-  const auto& wayland = native.info.wl;  // NOLINT(cppcoreguidelines-pro-type-union-access): SDL's
+  const auto& wayland = native.info.wl;
   return std::make_unique<SurfaceFeedback>(wayland.display, wayland.surface);
 }
 

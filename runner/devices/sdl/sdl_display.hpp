@@ -52,7 +52,7 @@ class SdlDisplay final : public Display {
   Presentation present_swapped(const RefreshPlan& plan);
   Presentation present_clocked(const RefreshPlan& plan);
 
-  SdlWindow& window_;  // NOLINT(cppcoreguidelines-avoid-const-or-ref-data-members): borrowed
+  SdlWindow& window_;  ///< borrowed
   ScreenPainter painter_;
   MonotonicClock clock_;
   std::unique_ptr<SurfaceFeedback> feedback_;  ///< under Wayland

@@ -29,8 +29,8 @@ class SdlKeyboard final : public Keyboard {
   void expect(std::string_view answer, Instant from) override;
 
  private:
-  SdlWindow& window_;   // NOLINT(cppcoreguidelines-avoid-const-or-ref-data-members): borrowed
-  const Clock& clock_;  // NOLINT(cppcoreguidelines-avoid-const-or-ref-data-members): borrowed
+  SdlWindow& window_;   ///< borrowed
+  const Clock& clock_;  ///< borrowed
 };
 
 }  // namespace bimodal::runner

@@ -40,7 +40,7 @@ class SimulatedDisplay final : public Display {
   [[nodiscard]] TimeSource time_source() const override { return TimeSource::Predicted; }
 
  private:
-  VirtualClock& clock_;  // NOLINT(cppcoreguidelines-avoid-const-or-ref-data-members): borrowed
+  VirtualClock& clock_;  ///< borrowed
   Options options_;
   RefreshEstimate grid_;
   int to_drop_ = 0;

@@ -27,7 +27,7 @@ class SimulatedKeyboard final : public Keyboard {
   void expect(std::string_view answer, Instant from) override;
 
  private:
-  const Clock& clock_;  // NOLINT(cppcoreguidelines-avoid-const-or-ref-data-members): borrowed
+  const Clock& clock_;  ///< borrowed
   Options options_;
   std::vector<Keystroke> planned_;
   std::size_t typed_ = 0;

@@ -8,7 +8,7 @@
 
 namespace bimodal::analysis {
 
-static void PrintTo(Verdict verdict, std::ostream* out) {  // NOLINT(readability-identifier-naming)
+static void PrintTo(Verdict verdict, std::ostream* out) {
   *out << name(verdict);
 }
 

@@ -16,7 +16,7 @@ namespace {
 class Environment {
  public:
   Environment(std::string name, const char* value) : name_{std::move(name)} {
-    const auto* before = std::getenv(name_.c_str());  // NOLINT(concurrency-mt-unsafe): one thread
+    const auto* before = std::getenv(name_.c_str());
     if (before != nullptr) before_ = before;
     assign(value);
   }
@@ -31,9 +31,9 @@ class Environment {
  private:
   void assign(const char* value) {
     if (value != nullptr) {
-      setenv(name_.c_str(), value, 1);  // NOLINT(concurrency-mt-unsafe): one thread
+      setenv(name_.c_str(), value, 1);
     } else {
-      unsetenv(name_.c_str());  // NOLINT(concurrency-mt-unsafe): one thread
+      unsetenv(name_.c_str());
     }
   }
 

@@ -27,7 +27,6 @@ TEST(CountAllocations, SeesAnAllocation) {
 }  // namespace bimodal::runner
 
 // Replaces the operators of the whole test program; all other forms of new and delete call these.
-// NOLINTBEGIN(cppcoreguidelines-no-malloc, misc-new-delete-overloads)
 void* operator new(std::size_t size) {
   ++bimodal::runner::allocations;
   void* const memory = std::malloc(size);
@@ -42,5 +41,3 @@ void operator delete(void* memory) noexcept {
 void operator delete(void* memory, std::size_t /*size*/) noexcept {
   std::free(memory);
 }
-
-// NOLINTEND(cppcoreguidelines-no-malloc, misc-new-delete-overloads)

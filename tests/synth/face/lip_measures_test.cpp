@@ -29,8 +29,7 @@ struct Viseme {
   double chin_drop;
 };
 
-void PrintTo(const Viseme& viseme,
-             std::ostream* out) {  // NOLINT(readability-identifier-naming): gtest's
+void PrintTo(const Viseme& viseme, std::ostream* out) {
   *out << viseme.name;
 }
 

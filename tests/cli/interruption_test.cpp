@@ -1,0 +1,80 @@
+// What a session that is torn away leaves behind: every trial that was answered, and a file that
+// can be read and gone on with.
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runner/store/sqlite.hpp"
+#include "runner/store/stored_session.hpp"
+#include "tests/cli/command.hpp"
+#include "tests/protocols/written_files.hpp"
+
+namespace bimodal {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr const char* kProtocol = R"({
+  "bimodal_protocol": 1,
+  "title": "Six words in haste",
+  "seed": 3,
+  "words": ["cat", "fish", "moon", "stew", "tree", "house"],
+  "conditions": [
+    {"name": "voice", "auditory": {"talker": "festival:kal"}, "snr_db": 0}
+  ],
+  "intervals": {"fixation_s": 0.05, "lead_s": 0.05, "trail_s": 0.05, "pause_s": 0.05}
+}
+)";
+
+std::vector<std::string> run_of(const std::string& participant, const std::string& trials) {
+  return {"run",
+          "six.json",
+          "--display",
+          "headless",
+          "--audio",
+          "none",
+          "--answers",
+          "simulated",
+          "--data",
+          "x.sqlite",
+          "--participant",
+          participant,
+          "--trials",
+          trials};
+}
+
+TEST(Interruption, OfAProcessLosesNoAnsweredTrial) {
+  WrittenFiles files;
+  files.write("six.json", kProtocol);
+  const auto data = files.folder() / "x.sqlite";
+  {
+    StartedCommand session{files.folder(), "bimodal", run_of("P01", "6")};
+    ASSERT_TRUE(session.await("trial 3 of 6"));  // announced when the second has been stored
+    session.kill_at_once();
+    EXPECT_EQ(session.end().exit_code, -1);
+  }
+  const auto sessions = runner::read_sessions(data, runner::Detail::Everything);
+  ASSERT_THAT(sessions, SizeIs(1));
+  ASSERT_THAT(sessions[0].trials, SizeIs(2));
+  EXPECT_THAT(sessions[0].outcome, IsEmpty());
+  for (const auto& [plan, trial] : sessions[0].trials) {
+    EXPECT_THAT(trial.response.text, testing::Not(IsEmpty()));
+    EXPECT_TRUE(trial.sound.has_value());
+    EXPECT_THAT(trial.keystrokes, testing::Not(IsEmpty()));
+  }
+  EXPECT_EQ(std::filesystem::status(data).permissions(), std::filesystem::perms{0600});
+
+  const auto next = run_command(files.folder(), "bimodal", run_of("P02", "1"));
+  EXPECT_EQ(next.exit_code, 0) << next.output;
+  const auto report =
+      run_command(files.folder(), "bimodal-analysis", {"report", "x.sqlite", "-o", "report"});
+  EXPECT_EQ(report.exit_code, 0) << report.output;
+  EXPECT_THAT(runner::read_sessions(data), SizeIs(2));
+}
+
+}  // namespace
+}  // namespace bimodal
