@@ -27,17 +27,18 @@ TEST(CountAllocations, SeesAnAllocation) {
 }  // namespace bimodal::runner
 
 // Replaces the operators of the whole test program; all other forms of new and delete call these.
-void* operator new(std::size_t size) {
+// Not inlined, or the compiler takes malloc and delete for a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++bimodal::runner::allocations;
   void* const memory = std::malloc(size);
   if (memory == nullptr) throw std::bad_alloc{};
   return memory;
 }
 
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
   std::free(memory);
 }
 
-void operator delete(void* memory, std::size_t /*size*/) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept {
   std::free(memory);
 }
