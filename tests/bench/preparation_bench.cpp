@@ -44,7 +44,7 @@ void prepare_a_bimodal_trial_with_its_pictures(benchmark::State& state) {
   state.counters["pictures"] = static_cast<double>(pictures);
 }
 
-BENCHMARK(prepare_a_bimodal_trial_with_its_pictures)->Unit(benchmark::kMillisecond);
+BENCHMARK(prepare_a_bimodal_trial_with_its_pictures)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace bimodal::runner

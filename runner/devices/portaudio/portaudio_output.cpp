@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <pa_linux_alsa.h>
 #include <portaudio.h>
 
 #include "runner/devices/device_error.hpp"
@@ -132,6 +133,8 @@ void PortaudioOutput::Stream::open(const PortaudioOptions& options) {
                                   &Stream::callback,
                                   this);
   if (failure == paNoError) {
+    // Where the system allows it; JACK's server sees to it for its clients.
+    if (device.host == "ALSA") PaAlsa_EnableRealtimeScheduling(stream, 1);
     failure = Pa_StartStream(stream);
     if (failure != paNoError) Pa_CloseStream(stream);
   }

@@ -1,5 +1,6 @@
 #include "runner/devices/sdl/sdl_window.hpp"
 
+#include <cstdlib>
 #include <string_view>
 #include <utility>
 
@@ -46,7 +47,9 @@ void SdlWindow::open() {
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
   // Where both are there, not through XWayland: that hides the refreshes. Never one without screen.
-  SDL_SetHint(SDL_HINT_VIDEODRIVER, "wayland,x11,KMSDRM");
+  // (Without a runtime folder there is no Wayland, and its library would complain.)
+  const bool may_have_wayland = std::getenv("XDG_RUNTIME_DIR") != nullptr;
+  SDL_SetHint(SDL_HINT_VIDEODRIVER, may_have_wayland ? "wayland,x11,KMSDRM" : "x11,KMSDRM");
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("no display found");
   if (shows_nothing(driver())) {
     throw DeviceError{fmt::format(
