@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "analysis/cli/verb.hpp"
+#include "stimuli/base/counted.hpp"
 #include "stimuli/base/digest.hpp"
 
 namespace bimodal::analysis {
@@ -39,6 +40,9 @@ void add_analysis_options(CLI::App& verb, AnalysisRequest& request) {
   verb.add_flag("--exclude-flagged",
                 request.selection.exclude_flagged,
                 "Leave out trials whose timing was not as planned");
+  verb.add_flag("--exclude-simulated",
+                request.selection.exclude_simulated,
+                "Leave out answers of simulated observers");
   verb.add_option("--participant",
                   request.selection.participants,
                   "Only this participant (may be repeated)")
@@ -50,7 +54,7 @@ void add_analysis_options(CLI::App& verb, AnalysisRequest& request) {
 
 Results analyse_request(const AnalysisRequest& request, Console console) {
   ProgressLine progress{console};
-  progress.show(fmt::format("reading {} data file(s)", request.data.size()));
+  progress.show("reading " + counted(request.data.size(), "data file"));
   auto dataset = gather_trials(read_stored_files(request.data), request.selection);
   const auto file = request.dictionary.empty() ? Dictionary::installed() : request.dictionary;
   progress.show(fmt::format("reading {}", file.string()));
@@ -70,10 +74,10 @@ std::string nothing_left(const Dataset& dataset) {
         fmt::format("{}{} x {}", reasons.empty() ? "" : ", ", exclusion.trials, exclusion.reason);
   }
   return fmt::format(
-      "no trial left to analyse: {} stored in {} session(s){}; check the selection "
+      "no trial left to analyse: {} stored in {}{}; check the selection "
       "(--include-practice counts practice trials)",
       dataset.stored_trials,
-      dataset.sessions.size(),
+      counted(dataset.sessions.size(), "session"),
       reasons.empty() ? "" : ", left out: " + reasons);
 }
 

@@ -13,6 +13,7 @@
 #include "analysis/report/page.hpp"
 #include "analysis/report/tables.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/whole_number.hpp"
 
 namespace bimodal::analysis {
 
@@ -40,6 +41,7 @@ std::string selection_in_words(const Selection& selection) {
   std::string words =
       selection.include_practice ? "practice trials included" : "without practice trials";
   words += selection.exclude_flagged ? ", without flagged trials" : ", flagged trials included";
+  if (selection.exclude_simulated) words += ", without simulated answers";
   if (!selection.conditions.empty()) {
     words += fmt::format(", conditions {} only", fmt::join(selection.conditions, ", "));
   }
@@ -126,6 +128,8 @@ void add_report_verb(CLI::App& program, Verb& chosen) {
       ->capture_default_str()
       ->check(CLI::Range(100, 1'000'000));
   verb->add_option("--seed", request->analysis.bootstrap.seed, "Seed of the bootstrap")
+      ->check(
+          CLI::Validator{[](std::string& text) { return whole_number_fault(text, Seed{0}); }, ""})
       ->capture_default_str();
   verb->add_option("--attach-picture", request->pictures, "PNG or JPEG as FILE:caption")
       ->allow_extra_args(false);

@@ -106,6 +106,7 @@ class Sieve {
     if (!wanted(selection_.participants, trial.participant)) return left_out(participant_);
     if (!wanted(selection_.conditions, trial.condition)) return left_out(condition_);
     if (selection_.exclude_flagged && trial.flagged) return left_out(flagged_);
+    if (selection_.exclude_simulated && trial.simulated) return left_out(simulated_);
     return true;
   }
 
@@ -119,6 +120,7 @@ class Sieve {
     if (selection_.exclude_flagged) {
       all.push_back({"flagged: timing not as planned", flagged_});
     }
+    if (selection_.exclude_simulated) all.push_back({"simulated answer", simulated_});
     return all;
   }
 
@@ -133,6 +135,7 @@ class Sieve {
   std::int64_t participant_ = 0;
   std::int64_t condition_ = 0;
   std::int64_t flagged_ = 0;
+  std::int64_t simulated_ = 0;
 };
 
 void demand_known(const std::vector<std::string>& selected,

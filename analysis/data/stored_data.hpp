@@ -21,6 +21,7 @@ struct StoredFile {
 struct Selection {
   bool include_practice = false;
   bool exclude_flagged = false;
+  bool exclude_simulated = false;
   std::vector<std::string> conditions;    ///< by name; empty: all
   std::vector<std::string> participants;  ///< by name; empty: all
 };

@@ -14,7 +14,7 @@ constexpr std::array kColumns = std::to_array<Column>({
     {"trials", "session_id", "number of the session within its file"},
     {"trials", "trial", "order of presentation within the session, from 0, practice included"},
     {"trials", "phase", "main or practice"},
-    {"trials", "block", "from 0; a new block begins after every break"},
+    {"trials", "block", "0 is the practice; from 1, a new block begins after every break"},
     {"trials", "condition", "name of the condition in the protocol"},
     {"trials", "auditory_talker", "whose speech was heard; absent: none"},
     {"trials", "visual_talker", "whose face was seen; absent: none"},

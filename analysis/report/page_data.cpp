@@ -143,7 +143,7 @@ word was drawn; percentiles of the proportions. It errs on the wide side (Owen, 
 Applied Statistics 1</i>, 386&#8211;411): in simulated experiments of 20 participants, 60 words and three
 conditions it held the true value in 98&#160;% of 300, where an interval for independent trials (Wilson) held
 it in 77&#160;%. One participant: Wilson&#8217;s score interval, which speaks of that participant only.
-No interval is given where every answer, or none, was correct.</dd>
+No interval is given for pooled answers, or one participant&#8217;s phonemes, of which all or none were correct.</dd>
 </dl>
 )",
       results.bootstrap.draws,

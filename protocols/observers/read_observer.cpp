@@ -111,7 +111,7 @@ class Reader {
     const auto responses = read_columns(*columns, at + "/columns", kind);
     std::vector<Phone> stimuli;
     for (const auto& [key, row] : rows->items()) {
-      const auto pointer = fmt::format("{}/rows/{}", at, escaped(key));
+      const auto pointer = fmt::format("{}/rows/{}", at, escape_pointer(key));
       const auto stimulus = read_phone(key, pointer, kind);
       if (!stimulus.has_value()) continue;
       stimuli.push_back(*stimulus);

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "protocols/reading/json_text.hpp"
 #include "protocols/reading/object_reader.hpp"
 #include "protocols/reading/obstacle.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/json_text.hpp"
 
 namespace bimodal::protocols {
 

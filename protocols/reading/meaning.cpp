@@ -9,7 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "protocols/reading/json_text.hpp"
+#include "stimuli/base/counted.hpp"
+#include "stimuli/base/json_text.hpp"
 
 namespace bimodal::protocols {
 
@@ -122,7 +123,9 @@ void judge_breaks(const Protocol& protocol, std::size_t trials, Findings& findin
         "people tire: add \"breaks\": { \"every_trials\": 100, \"text\": ... }");
   } else if (every >= trials) {
     findings.warning("/breaks/every_trials",
-                     fmt::format("there are only {} trials, so there is never a break", trials),
+                     fmt::format("there {} only {}, so there is never a break",
+                                 trials == 1 ? "is" : "are",
+                                 counted(trials, "trial")),
                      "lower it, or remove \"breaks\"");
   }
   if (every > 0 && protocol.breaks.text.empty()) {

@@ -49,7 +49,8 @@ std::optional<std::string_view> nearest(std::string_view typed,
   std::size_t smallest = 0;
   for (const std::string_view candidate : known) {
     const std::string folded_candidate = lower_case(candidate);
-    const std::size_t distance = edit_distance(folded, folded_candidate);
+    const bool is_its_start = folded.size() >= 3 && folded_candidate.starts_with(folded + "_");
+    const std::size_t distance = is_its_start ? 1 : edit_distance(folded, folded_candidate);
     const bool same_start = !candidate.empty() && folded_candidate.front() == folded.front();
     const std::size_t forgiven =
         same_start ? std::max<std::size_t>(2, folded.size() / 3) : folded.size() / 3;

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "protocols/reading/json_lines.hpp"
-#include "protocols/reading/json_text.hpp"
 #include "protocols/reading/nearest.hpp"
+#include "stimuli/base/json_lines.hpp"
+#include "stimuli/base/json_text.hpp"
 
 namespace bimodal::protocols {
 

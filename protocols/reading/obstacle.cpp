@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "protocols/reading/json_text.hpp"
+#include "stimuli/base/json_text.hpp"
 
 namespace bimodal::protocols {
 

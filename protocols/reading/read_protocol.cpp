@@ -8,13 +8,13 @@
 
 #include "protocols/reading/find_words.hpp"
 #include "protocols/reading/findings.hpp"
-#include "protocols/reading/json_lines.hpp"
-#include "protocols/reading/json_text.hpp"
 #include "protocols/reading/meaning.hpp"
 #include "protocols/reading/obstacle.hpp"
 #include "protocols/reading/structure.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/json_lines.hpp"
+#include "stimuli/base/json_text.hpp"
 
 namespace bimodal::protocols {
 

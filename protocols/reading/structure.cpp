@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "protocols/reading/json_text.hpp"
 #include "protocols/reading/object_reader.hpp"
+#include "stimuli/base/json_text.hpp"
 
 namespace bimodal::protocols {
 

@@ -65,6 +65,7 @@ class SessionLoop {
     bool confirming = false;
     if (parts_.answer) booth_.keyboard.expect("", booth_.clock.now());
     while (true) {
+      if (parts_.interrupted()) return false;
       present(confirming ? question : screen);
       for (const auto& stroke : booth_.keyboard.poll()) {
         const bool stop = stroke.key == Key::Escape || stroke.key == Key::WindowClosed;
@@ -77,7 +78,7 @@ class SessionLoop {
 
   bool run_trial(const TrialStep& step) {
     const auto& planned = parts_.plan.at(step.trial);
-    await_preparation(step.progress);
+    if (!await_preparation(step.progress)) return false;
     const PreparedTrial trial = parts_.trials.next();
     begin_once();  // after preparing: of a session that cannot be prepared nothing is stored
     TrialRecord record;
@@ -141,6 +142,7 @@ class SessionLoop {
     Screen screen;
     screen.progress = progress;
     while (true) {
+      if (parts_.interrupted()) return false;
       show_answer(machine, screen);
       for (const auto& stroke : booth_.keyboard.poll()) {
         if (machine.phase() == TrialMachine::Phase::Responding) {
@@ -208,11 +210,16 @@ class SessionLoop {
                                        .detail = std::move(detail)}));
   }
 
-  void await_preparation(double progress) {
+  /// False if the session is to be stopped.
+  bool await_preparation(double progress) {
     Screen waiting;
     waiting.captions = {{.text = "One moment, please ...", .centre_y = 0.45, .size = 0.035}};
     waiting.progress = progress;
-    while (!parts_.trials.ready()) present(waiting);
+    while (!parts_.trials.ready()) {
+      if (parts_.interrupted()) return false;
+      present(waiting);
+    }
+    return true;
   }
 
   const SessionParts& parts_;

@@ -37,6 +37,10 @@ struct SessionParts {
   /// The answer of a simulated participant; empty function: a person answers.
   std::function<std::string(const protocols::PlannedTrial&)> answer;
 
+  /// Whether the experimenter has asked from outside to stop (Ctrl-C): done after the present
+  /// stimulus, without asking.
+  std::function<bool()> interrupted = [] { return false; };
+
   /// Told between stimuli what happens, for the experimenter's console.
   std::function<void(std::string_view)> announce = [](std::string_view) {};
 };

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <chrono>
-#include <set>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/sound_check.hpp"
 #include "runner/cli/verbs.hpp"
+#include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {
@@ -53,30 +54,16 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
              protocol.assignment == Assignment::Once
                  ? "once: each word in one condition per participant"
                  : fmt::format("every-condition: over {} sessions", sessions_of(protocol)));
-  fmt::print("  a session    {} trials, about {:.0f} minutes\n",
-             trials,
-             static_cast<double>(trials) * trial_s / 60.0);
+  const auto minutes = std::max(1L, std::lround(static_cast<double>(trials) * trial_s / 60.0));
+  fmt::print("  a session    {}, about {}\n",
+             counted(trials, "trial"),
+             counted(static_cast<std::size_t>(minutes), "minute"));
 }
 
-/// Sounds of as many participants as there are lists, so that every word is heard in every
-/// condition.
 std::vector<Diagnostic> check_all_sounds(const ReadProtocol& read, const std::string& file) {
   SpeechBank bank{read.protocol.sound.rate};
   TrialPreparer preparer{read.protocol, bank, nullptr, Hertz{60}};
-  std::vector<Diagnostic> diagnostics;
-  const int lists = static_cast<int>(read.protocol.conditions.size());
-  for (int participant = 1; participant <= lists; ++participant) {
-    const auto plan = protocols::make_plan(
-        read.protocol, read.words, read.practice, {.participant_number = participant});
-    auto found = check_sounds(read.protocol, plan, preparer, file);
-    for (auto& diagnostic : found) {
-      if (std::ranges::find(diagnostics, diagnostic.pointer, &Diagnostic::pointer) ==
-          diagnostics.end()) {
-        diagnostics.push_back(std::move(diagnostic));
-      }
-    }
-  }
-  return diagnostics;
+  return check_sounds(read, every_sound(read), preparer, file);
 }
 
 ExitCode check(const std::string& named) {
@@ -84,14 +71,17 @@ ExitCode check(const std::string& named) {
   if (!read) return ExitCode::InvalidInput;
   const auto found = check_all_sounds(*read, find_protocol(named).string());
   print(found);
+  if (has_errors(found)) {
+    fmt::print(stderr, "bimodal: the protocol cannot be used: its sounds cannot be played\n");
+    return ExitCode::InvalidInput;
+  }
   const auto plan = protocols::make_plan(read->protocol, read->words, read->practice, {});
   print_summary(*read, plan.size());
-  if (has_errors(found)) return ExitCode::InvalidInput;
   const auto warnings = read->diagnostics.size() + found.size();
   if (warnings == 0) {
     fmt::print("no mistakes found\n");
   } else {
-    fmt::print("usable, with {} warning(s)\n", warnings);
+    fmt::print("usable, with {}\n", counted(warnings, "warning"));
   }
   return warnings == 0 ? ExitCode::Done : ExitCode::Findings;
 }
@@ -102,7 +92,8 @@ void add_check(CLI::App& app, Verb& chosen) {
   auto* const verb = app.add_subcommand(
       "check",
       "Reads a protocol whole, with every file that it needs, and prints all mistakes at once.\n"
-      "Makes every sound, so that none is found to clip later.\n"
+      "Makes every word in every condition in which it is heard, so that none is found to clip "
+      "later.\n"
       "Exit code: 0 clean, 1 warnings, 3 errors.\n\n"
       "Examples:\n  bimodal check words414\n  bimodal check my-experiment.json");
   auto named = std::make_shared<std::string>();

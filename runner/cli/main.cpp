@@ -1,9 +1,13 @@
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "protocols/reading/nearest.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/devices/device_error.hpp"
 #include "runner/store/store_error.hpp"
@@ -32,6 +36,24 @@ ExitCode perform(const bimodal::runner::Verb& verb) {
   }
 }
 
+/// Options are left to the parser.
+bool knows(const CLI::App& app, const std::string& first) {
+  return first.empty() || first.front() == '-' ||
+         !app.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == first; })
+              .empty();
+}
+
+std::string suggestion(const CLI::App& app, const std::string& typed) {
+  std::vector<std::string> names;
+  for (const auto* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(verb->get_name());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  if (const auto near = bimodal::protocols::nearest(typed, known)) {
+    return fmt::format("; did you mean '{}'? See --help.", *near);
+  }
+  return fmt::format("; there are {} (see --help)", fmt::join(known, ", "));
+}
+
 ExitCode perform_what_is_asked(int count, char** arguments) {
   CLI::App app{
       "bimodal runs perceptual experiments on bimodal speech: what people understand from a "
@@ -54,6 +76,10 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
   bimodal::runner::add_stimuli(app, verb);
   bimodal::runner::add_render(app, verb);
   bimodal::runner::add_devices(app, verb);
+  if (const std::string first = count > 1 ? arguments[1] : ""; !knows(app, first)) {
+    fmt::print(stderr, "bimodal: there is no verb '{}'{}\n", first, suggestion(app, first));
+    return ExitCode::Usage;
+  }
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "runner/booth/session_loop.hpp"
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_setup.hpp"
 #include "runner/cli/simulated_answers.hpp"
@@ -15,6 +16,7 @@
 #include "runner/devices/simulated/simulated_keyboard.hpp"
 #include "runner/devices/simulated/virtual_clock.hpp"
 #include "runner/preparation/timeless_trials.hpp"
+#include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {
@@ -28,6 +30,7 @@ struct RehearseOptions {
   Seed seed = 1;
   std::string data;
   std::optional<int> trials;
+  bool again = false;
   double refresh_hz = 60.0;
 };
 
@@ -39,6 +42,11 @@ struct Rehearsal {
   SessionStore& store;
   StoreWriter& writer;
 };
+
+/// Simulated participants are S01, S02, ...
+std::string name_of(int participant) {
+  return fmt::format("S{:02}", participant);
+}
 
 int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) {
   const auto& protocol = rehearsal.read.protocol;
@@ -54,8 +62,7 @@ int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) 
                           };
                         }};
   const auto begin = [&](const RefreshEstimate& refresh) {
-    auto record =
-        session_record(rehearsal.read, fmt::format("S{:02}", key.participant_number), key);
+    auto record = session_record(rehearsal.read, name_of(key.participant_number), key);
     record.simulated_answers = true;
     record.simulated_time = true;
     record.observer = observer_name();
@@ -90,6 +97,11 @@ ExitCode rehearse(const RehearseOptions& options) {
   const auto data = options.data.empty()
                         ? "rehearsal-" + default_data_file(options.protocol).string()
                         : options.data;
+  if (!options.again) {
+    for (int i = 0; i < options.participants; ++i) {
+      refuse_repetition(data, name_of(options.first + i), 1, read->sha256);
+    }
+  }
   const auto store = open_sqlite_store(data);
   StoreWriter writer{*store};
   SpeechBank bank{read->protocol.sound.rate};
@@ -110,9 +122,9 @@ ExitCode rehearse(const RehearseOptions& options) {
     }
   }
   if (to_terminal) fmt::print(stderr, "\r{:40}\r", "");
-  fmt::print("rehearsed {} participants, {} trials, in virtual time; stored as simulated in {}\n",
-             options.participants,
-             trials,
+  fmt::print("rehearsed {}, {}, in virtual time; stored as simulated in {}\n",
+             counted(static_cast<std::size_t>(options.participants), "participant"),
+             counted(static_cast<std::size_t>(trials), "trial"),
              data);
   return ExitCode::Done;
 }
@@ -131,13 +143,15 @@ void add_rehearse(CLI::App& app, Verb& chosen) {
   verb->add_option("PROTOCOL", options->protocol, "a JSON file, or a protocol of the library")
       ->required();
   verb->add_option("--participants", options->participants, "how many (1)")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number_from(1));
   verb->add_option("--first", options->first, "number of the first participant (1)")
-      ->check(CLI::PositiveNumber);
-  verb->add_option("--seed", options->seed, "of the observers' answers (1)");
+      ->check(whole_number_from(1));
+  verb->add_option("--seed", options->seed, "of the observers' answers (1)")->check(seed_number());
   verb->add_option("--data", options->data, "the data file (rehearsal-PROTOCOL.sqlite here)");
   verb->add_option("--trials", options->trials, "only so many main trials a participant")
-      ->check(CLI::NonNegativeNumber);
+      ->check(whole_number_from(1));
+  verb->add_flag(
+      "--again", options->again, "although the data file has these participants already");
   verb->add_option(
           "--refresh-hz", options->refresh_hz, "refresh rate of the simulated display (60)")
       ->check(CLI::Range(10.0, 1000.0));

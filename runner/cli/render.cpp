@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -34,7 +35,10 @@ struct RenderOptions {
 Pronunciation pronunciation(const RenderOptions& options) {
   if (options.phones.empty()) {
     const Dictionary dictionary{Dictionary::installed()};
-    const auto found = dictionary.pronunciations(options.word);
+    std::string word = options.word;
+    std::ranges::transform(
+        word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto found = dictionary.pronunciations(word);
     if (found.empty()) {
       throw Error{
           fmt::format("the dictionary has no pronunciation of '{}'; give one: "

@@ -1,3 +1,5 @@
+#include <atomic>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -5,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "runner/booth/session_loop.hpp"
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_setup.hpp"
 #include "runner/cli/simulated_answers.hpp"
@@ -91,7 +94,7 @@ std::unique_ptr<Devices> open_devices(const protocols::Protocol& protocol,
 
 /// Prepares on the queue's thread: first every sound of the session is made and judged, then trial
 /// after trial is mixed and drawn.
-PreparationQueue::Prepare make_prepare(const protocols::Protocol& protocol,
+PreparationQueue::Prepare make_prepare(const protocols::ReadProtocol& read,
                                        const std::vector<protocols::PlannedTrial>& plan,
                                        SpeechBank& bank,
                                        Hertz drawing_rate,
@@ -101,6 +104,7 @@ PreparationQueue::Prepare make_prepare(const protocols::Protocol& protocol,
     std::optional<TrialPreparer> preparer;
   };
 
+  const auto& protocol = read.protocol;
   auto workshop = std::make_shared<Workshop>();
   const bool has_face = std::ranges::any_of(protocol.conditions, [](const auto& condition) {
     return condition.visual_talker.has_value();
@@ -111,11 +115,22 @@ PreparationQueue::Prepare make_prepare(const protocols::Protocol& protocol,
   }
   workshop->preparer.emplace(
       protocol, bank, workshop->face ? &*workshop->face : nullptr, drawing_rate);
-  const auto found = check_sounds(protocol, plan, *workshop->preparer, file);
+  const auto found = check_sounds(read, plan, *workshop->preparer, file);
   if (has_errors(found)) throw Error{describe(found.front())};
   return [workshop](const protocols::PlannedTrial& trial, const Checkpoint& checkpoint) {
     return workshop->preparer->prepare(trial, checkpoint);
   };
+}
+
+/// Ctrl-C: the first asks the session to stop, a second ends the program as usual.
+std::atomic<bool> interrupt_asked = false;
+
+void stop_at_interrupt() {
+  struct sigaction action {};
+
+  action.sa_handler = [](int) { interrupt_asked = true; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  ::sigaction(SIGINT, &action, nullptr);
 }
 
 void report_outcome(const SessionOutcome& outcome,
@@ -130,6 +145,9 @@ void report_outcome(const SessionOutcome& outcome,
     fmt::print("; timing as planned in all\n");
   } else {
     fmt::print("; timing flagged in {}, see table event\n", outcome.flagged);
+  }
+  if (!outcome.complete) {
+    fmt::print("what was answered is kept; --again begins this session anew, beside it\n");
   }
 }
 
@@ -154,7 +172,7 @@ ExitCode run(const RunOptions& options) {
   const auto data = options.data.empty() ? default_data_file(options.protocol)
                                          : std::filesystem::path{options.data};
   const bool simulated = options.answers == "simulated";
-  if (!options.again && !simulated) {
+  if (!options.again) {
     refuse_repetition(data, options.participant, key.session_number, read->sha256);
   }
   // A new file is made only when the devices are there; an old one is opened before anything shows.
@@ -169,7 +187,7 @@ ExitCode run(const RunOptions& options) {
   SpeechBank bank{protocol.sound.rate};
   const auto drawing_rate = drawing_rate_for(devices->display->refresh().period);
   PreparationQueue queue{
-      plan, [&] { return make_prepare(protocol, plan, bank, drawing_rate, options.protocol); }};
+      plan, [&] { return make_prepare(*read, plan, bank, drawing_rate, options.protocol); }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     auto record = session_record(*read, options.participant, key);
     record.simulated_answers = simulated;
@@ -189,6 +207,7 @@ ExitCode run(const RunOptions& options) {
     }
     return id;
   };
+  stop_at_interrupt();
   const auto outcome = run_session(
       {.protocol = protocol,
        .plan = plan,
@@ -198,10 +217,12 @@ ExitCode run(const RunOptions& options) {
        .begin = begin,
        .answer = simulated ? simulated_answers(protocol, key.participant_number, protocol.seed)
                            : Answers{},
-       .announce = [](std::string_view what) {
-         fmt::print("{}\n", what);
-         std::fflush(stdout);
-       }});
+       .interrupted = [] { return interrupt_asked.load(); },
+       .announce =
+           [](std::string_view what) {
+             fmt::print("{}\n", what);
+             std::fflush(stdout);
+           }});
   if (outcome.session) {
     store->end(*outcome.session, outcome.complete ? "complete" : "stopped", utc_now());
   }
@@ -227,9 +248,9 @@ void add_run(CLI::App& app, Verb& chosen) {
   verb->add_option("--participant", options->participant, "a name that ends with a number: P01")
       ->required();
   verb->add_option("--number", options->number, "the participant's number, if the name has none")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number_from(1));
   verb->add_option("--session", options->session, "number of the session (1)")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number_from(1));
   verb->add_option("--data", options->data, "the data file (PROTOCOL.sqlite here); appended to");
   verb->add_option("--display", options->display, "window (default) or headless: nothing is shown")
       ->check(CLI::IsMember({"window", "headless"}));
@@ -239,7 +260,7 @@ void add_run(CLI::App& app, Verb& chosen) {
   verb->add_option("--answers", options->answers, "typed (default), or simulated: stored as such")
       ->check(CLI::IsMember({"typed", "simulated"}));
   verb->add_option("--trials", options->trials, "only so many main trials, for trying out")
-      ->check(CLI::NonNegativeNumber);
+      ->check(whole_number_from(1));
   verb->add_flag("--no-practice", options->no_practice, "leave out the practice");
   verb->add_flag("--windowed", options->windowed, "a window, whatever the protocol says");
   verb->add_flag("--again", options->again, "although this participant has this session already");

@@ -1,5 +1,6 @@
 #include "runner/cli/session_setup.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <ctime>
@@ -8,11 +9,26 @@
 #include <fmt/format.h>
 
 #include "runner/store/stored_session.hpp"
+#include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {
 
+namespace {
+
+bool is_control(char letter) {
+  constexpr unsigned char kFirstPrintable = 0x20;
+  constexpr unsigned char kDelete = 0x7f;
+  const auto byte = static_cast<unsigned char>(letter);
+  return byte < kFirstPrintable || byte == kDelete;
+}
+
+}  // namespace
+
 int participant_number(const std::string& participant, std::optional<int> given) {
+  if (participant.empty() || std::ranges::any_of(participant, is_control)) {
+    throw Error{"the name of a participant must be text without line breaks; give e.g. P01"};
+  }
   if (given) return *given;
   const auto last_other = participant.find_last_not_of("0123456789");
   const auto digits = participant.substr(last_other == std::string::npos ? 0 : last_other + 1);
@@ -55,15 +71,16 @@ void refuse_repetition(const std::filesystem::path& data,
   for (const auto& stored : read_sessions(data)) {
     const auto& session = stored.session;
     if (session.participant == participant && session.session_number == session_number &&
-        session.protocol_sha256 == protocol_sha256 && !session.simulated_answers) {
+        session.protocol_sha256 == protocol_sha256) {
       throw Error{fmt::format(
-          "'{}' already has session {} of participant '{}' ({} trials, {}); give another "
-          "--participant, --session or --data, or --again to add one more",
+          "'{}' already has session {} of participant '{}' ({}, {}{}); give another --participant, "
+          "--session or --data, or --again to add one more beside it",
           data.string(),
           session_number,
           participant,
-          stored.trials.size(),
-          stored.outcome.empty() ? "interrupted" : stored.outcome)};
+          counted(stored.trials.size(), "trial"),
+          stored.outcome.empty() ? "interrupted" : stored.outcome,
+          session.simulated_answers ? ", simulated" : "")};
     }
   }
 }

@@ -30,8 +30,7 @@ struct Shortening {
 /// The protocol's name beside the working folder: "words414.sqlite".
 [[nodiscard]] std::filesystem::path default_data_file(const std::string& protocol_named);
 
-/// Throws Error if the file already has a session of this participant, number and protocol that was
-/// not simulated.
+/// Throws Error if the file already has a session of this participant, number and protocol.
 void refuse_repetition(const std::filesystem::path& data,
                        const std::string& participant,
                        int session_number,

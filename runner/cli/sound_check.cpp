@@ -1,73 +1,119 @@
 #include "runner/cli/sound_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/json_lines.hpp"
 
 namespace bimodal::runner {
 
 namespace {
 
-/// The trials of one condition that would clip, told together.
+/// The trials of one condition that would clip, or could, told together.
 struct Clipping {
   int trials = 0;
-  double lacking_db = 0.0;
+  double lacking_db = 0.0;           ///< of the worst
+  double possibly_lacking_db = 0.0;  ///< of the worst, with any noise
   std::string worst_word;
 };
 
-Diagnostic describe_clipping(const std::string& file,
-                             std::size_t condition,
-                             const protocols::Protocol& protocol,
-                             const Clipping& clipping) {
-  const double lower = std::ceil(clipping.lacking_db * 10.0) / 10.0;
-  return {
-      .file = file,
-      .pointer = fmt::format("/conditions/{}", condition),
-      .finding = fmt::format("{} trials of condition \"{}\" would clip; the loudest, \"{}\", lacks "
-                             "{:.1f} dB of headroom",
-                             clipping.trials,
-                             protocol.conditions.at(condition).name,
-                             clipping.worst_word,
-                             clipping.lacking_db),
-      .remedy = fmt::format("lower /sound/speech_level_dbfs from {:g} to {:g} or less, or raise "
-                            "snr_db",
-                            protocol.sound.speech_level.count(),
-                            protocol.sound.speech_level.count() - lower)};
+void note(Clipping& clipping, const std::string& word, const Mix& mix) {
+  const double possibly = decibels(highest_peak(mix)).count();
+  if (possibly > clipping.possibly_lacking_db) {
+    clipping.possibly_lacking_db = possibly;
+    if (clipping.trials == 0) clipping.worst_word = word;
+  }
+  const auto lacking = headroom_lacking(mix);
+  if (!lacking) return;
+  ++clipping.trials;
+  if (lacking->count() > clipping.lacking_db) {
+    clipping.lacking_db = lacking->count();
+    clipping.worst_word = word;
+  }
+}
+
+std::string remedy_for(const Clipping& clipping, Decibels level) {
+  const double lower =
+      std::ceil(std::max(clipping.lacking_db, clipping.possibly_lacking_db) * 10.0) / 10.0;
+  return fmt::format("lower /sound/speech_level_dbfs from {:g} to {:g} or less, or raise snr_db",
+                     level.count(),
+                     level.count() - lower);
+}
+
+std::string finding_of(const Clipping& clipping, const std::string& condition) {
+  if (clipping.trials == 0) {
+    return fmt::format(
+        "no sound of condition \"{}\" clips here, but with the noise of another participant \"{}\" "
+        "could: it would need {:.1f} dB more headroom to be sure",
+        condition,
+        clipping.worst_word,
+        clipping.possibly_lacking_db);
+  }
+  return fmt::format(
+      "{} {} of condition \"{}\" would clip; the loudest, \"{}\", lacks {:.1f} dB of headroom",
+      clipping.trials,
+      clipping.trials == 1 ? "sound" : "sounds",
+      condition,
+      clipping.worst_word,
+      clipping.lacking_db);
 }
 
 }  // namespace
 
-std::vector<Diagnostic> check_sounds(const protocols::Protocol& protocol,
+std::vector<protocols::PlannedTrial> every_sound(const protocols::ReadProtocol& read) {
+  std::vector<protocols::PlannedTrial> sounds;
+  for (std::size_t condition = 0; condition < read.protocol.conditions.size(); ++condition) {
+    if (!read.protocol.conditions[condition].auditory_talker) continue;
+    for (const auto* words : {&read.practice, &read.words.words}) {
+      for (const auto& word : *words) {
+        sounds.push_back({.index = sounds.size(),
+                          .word = word,
+                          .condition = condition,
+                          .noise_seed = read.protocol.seed + sounds.size()});
+      }
+    }
+  }
+  return sounds;
+}
+
+std::vector<Diagnostic> check_sounds(const protocols::ReadProtocol& read,
                                      const std::vector<protocols::PlannedTrial>& plan,
                                      TrialPreparer& preparer,
                                      const std::string& file) {
+  const auto& protocol = read.protocol;
+  const JsonLines lines{read.text};
   std::vector<Diagnostic> diagnostics;
-  std::map<std::size_t, Clipping> clipped;
+  const auto find = [&](Severity severity, std::size_t condition, std::string finding) {
+    auto pointer = fmt::format("/conditions/{}", condition);
+    diagnostics.push_back({.severity = severity,
+                           .file = file,
+                           .line = lines.line_of(pointer),
+                           .pointer = std::move(pointer),
+                           .finding = std::move(finding)});
+  };
+  std::map<std::size_t, Clipping> clippings;
   for (const auto& trial : plan) {
     try {
-      const auto mix = preparer.mix_sound(trial);
-      const auto lacking = mix ? headroom_lacking(*mix) : std::nullopt;
-      if (!lacking) continue;
-      auto& clipping = clipped[trial.condition];
-      ++clipping.trials;
-      if (lacking->count() > clipping.lacking_db) {
-        clipping.lacking_db = lacking->count();
-        clipping.worst_word = trial.word.spelling;
+      if (const auto mix = preparer.mix_sound(trial)) {
+        note(clippings[trial.condition], trial.word.spelling, *mix);
       }
     } catch (const Error& error) {
-      diagnostics.push_back(
-          {.file = file,
-           .pointer = fmt::format("/conditions/{}", trial.condition),
-           .finding = fmt::format(
-               "the word \"{}\" cannot be made: {}", trial.word.spelling, error.what())});
+      find(Severity::Error,
+           trial.condition,
+           fmt::format("the word \"{}\" cannot be made: {}", trial.word.spelling, error.what()));
       if (diagnostics.size() >= 10) return diagnostics;  // a missing voice fails every word
     }
   }
-  for (const auto& [condition, clipping] : clipped) {
-    diagnostics.push_back(describe_clipping(file, condition, protocol, clipping));
+  for (const auto& [condition, clipping] : clippings) {
+    if (clipping.trials == 0 && clipping.possibly_lacking_db <= 0.0) continue;
+    find(clipping.trials > 0 ? Severity::Error : Severity::Warning,
+         condition,
+         finding_of(clipping, protocol.conditions.at(condition).name));
+    diagnostics.back().remedy = remedy_for(clipping, protocol.sound.speech_level);
   }
   return diagnostics;
 }

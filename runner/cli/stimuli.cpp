@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_setup.hpp"
 #include "runner/cli/verbs.hpp"
@@ -51,12 +52,14 @@ ExitCode mix_trial(const MixOptions& options) {
   const auto clipping = clipping_message(trial, condition, *mixed);
   if (!clipping.empty()) throw Error{clipping};
   write_wav(options.output, mixed->sound);
-  fmt::print("{}: trial {}, \"{}\" ({}), condition \"{}\"\n",
-             options.output,
-             options.trial,
-             trial.word.spelling,
-             spell(trial.word.phones),
-             condition);
+  fmt::print(
+      "{}: trial {} (trial = {} in the data of a whole session), \"{}\" ({}), condition \"{}\"\n",
+      options.output,
+      options.trial,
+      trial.index,
+      trial.word.spelling,
+      spell(trial.word.phones),
+      condition);
   fmt::print("speech {:.2f} dB FS, noise {}, both in {:g}-{:g} Hz; peak {:.3f}; SHA-256 {}\n",
              mixed->speech_dbfs,
              mixed->noise_dbfs ? fmt::format("{:.2f} dB FS", *mixed->noise_dbfs) : "none",
@@ -79,12 +82,17 @@ void add_stimuli(CLI::App& app, Verb& chosen) {
   auto options = std::make_shared<MixOptions>();
   mix->add_option("PROTOCOL", options->protocol, "a JSON file, or a protocol of the library")
       ->required();
-  mix->add_option("--trial", options->trial, "number of the trial, from 1, practice included")
+  mix->add_option(
+         "--trial",
+         options->trial,
+         "number of the trial, from 1, practice included: one more than `trial` in the data")
       ->required();
   mix->add_option("-o,--output", options->output, "the WAV file to be written")->required();
   mix->add_option("--participant", options->participant, "whose trial (P01)");
-  mix->add_option("--number", options->number, "the participant's number, if the name has none");
-  mix->add_option("--session", options->session, "number of the session (1)");
+  mix->add_option("--number", options->number, "the participant's number, if the name has none")
+      ->check(whole_number_from(1));
+  mix->add_option("--session", options->session, "number of the session (1)")
+      ->check(whole_number_from(1));
   mix->callback([options, &chosen] { chosen = [options] { return mix_trial(*options); }; });
 }
 

@@ -125,7 +125,7 @@ CREATE TABLE event (
 CREATE VIEW answers AS
   SELECT s.participant, s.session, p.trial, p.phase, p.block, p.condition, p.auditory_talker,
          p.visual_talker, p.snr_db, p.word, p.phones, t.response, t.timed_out, t.flagged,
-         (t.submitted_ns - t.stimulus_end_ns) / 1000000 AS rt_ms,
+         (t.submitted_ns - t.stimulus_end_ns) / 1e6 AS rt_ms,
          s.simulated_answers, s.simulated_time
   FROM trial t JOIN plan p USING (session, trial) JOIN session s USING (session);
 )sql";

@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "runner/store/session_store.hpp"
@@ -23,11 +24,15 @@ namespace {
 }
 
 /// Makes the file before SQLite would, so that it is never readable by others, not even for a
-/// moment.
+/// moment. An empty file becomes private too.
 void make_private(const std::filesystem::path& file) {
   constexpr mode_t kOwnerOnly = 0600;
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kOwnerOnly);
   if (descriptor < 0) fail_to_write(file);
+
+  struct stat state {};
+
+  if (::fstat(descriptor, &state) == 0 && state.st_size == 0) ::fchmod(descriptor, kOwnerOnly);
   ::close(descriptor);
 }
 

@@ -78,6 +78,7 @@ std::optional<Mix> mix(const MixRequest& request, FourierTransform& fourier) {
   } else {
     made.sound.samples.assign(length, 0.0F);
   }
+  made.speech_peak = static_cast<double>(gain) * largest_absolute(speech.samples);
   for (std::size_t i = 0; i < speech.samples.size(); ++i) {
     made.sound.samples[lead + i] += speech.samples[i] * gain;
   }
@@ -90,6 +91,12 @@ std::optional<Mix> mix(const MixRequest& request, FourierTransform& fourier) {
 std::optional<Decibels> headroom_lacking(const Mix& mix) {
   if (mix.peak <= 1.0) return std::nullopt;
   return decibels(mix.peak);
+}
+
+double highest_peak(const Mix& mix) {
+  constexpr double kDeviations = 6.0;
+  if (!mix.noise_dbfs) return mix.speech_peak;
+  return mix.speech_peak + kDeviations * amplitude(Decibels{*mix.noise_dbfs});
 }
 
 std::string sha256(const Clip& sound) {

@@ -35,8 +35,9 @@ struct Mix {
   std::optional<double> noise_dbfs;  ///< level in the band between the ramps
   Decibels recording_level{0.0};     ///< of the speech before it was brought to its level
   Band band;
-  double peak = 0.0;      ///< largest absolute sample; more than 1 would clip
-  SpeechInterval speech;  ///< within the sound
+  double peak = 0.0;         ///< largest absolute sample; more than 1 would clip
+  double speech_peak = 0.0;  ///< of the speech alone
+  SpeechInterval speech;     ///< within the sound
 };
 
 /// The one mixer of the project; nothing else computes levels.
@@ -55,6 +56,10 @@ struct Mix {
 /// By how many dB the sound is too loud to be played unclipped; absent if it is not. The remedy is
 /// to lower the speech level by that much.
 [[nodiscard]] std::optional<Decibels> headroom_lacking(const Mix& mix);
+
+/// The peak that the same speech may reach with noise of any other seed: its own and six standard
+/// deviations of the noise, which a sample of Gaussian noise exceeds once in 5 x 10^8.
+[[nodiscard]] double highest_peak(const Mix& mix);
 
 /// SHA-256 of the samples as 32-bit little-endian floats.
 [[nodiscard]] std::string sha256(const Clip& sound);

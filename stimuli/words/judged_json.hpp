@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/base/diagnostic.hpp"
+#include "stimuli/base/json_lines.hpp"
+#include "stimuli/base/json_text.hpp"
 
 namespace bimodal {
 
@@ -40,14 +42,8 @@ class JudgedJson {
 
  private:
   std::string file_;
-  std::string text_;
+  std::optional<JsonLines> lines_;  ///< once it has been parsed
   std::vector<Diagnostic>* diagnostics_;
 };
-
-/// A value as it may stand in a message: short, and ASCII whatever was read.
-[[nodiscard]] std::string shown(const nlohmann::json& value);
-
-/// A key as a part of an RFC 6901 pointer.
-[[nodiscard]] std::string escaped(std::string_view key);
 
 }  // namespace bimodal

@@ -5,8 +5,9 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "stimuli/base/json_lines.hpp"
+#include "stimuli/base/json_text.hpp"
 #include "synth/speech/segment_table.hpp"
 
 namespace bimodal::synth {
@@ -20,27 +21,12 @@ constexpr std::array<std::string_view, 6> kDynamicsColumns{
     "alpha", "theta_before", "theta_after", "offset_ms", "dynamics", "targets"};
 constexpr double kLargestOffsetMs = 500;
 
-/// RFC 6901: "~" and "/" inside a key are written "~0" and "~1".
 std::string child(const std::string& pointer, std::string_view key) {
-  std::string escaped = pointer + "/";
-  for (const char letter : key) {
-    if (letter == '~')
-      escaped += "~0";
-    else if (letter == '/')
-      escaped += "~1";
-    else
-      escaped += letter;
-  }
-  return escaped;
+  return pointer + "/" + escape_pointer(key);
 }
 
 std::string joined(std::span<const std::string_view> words) {
   return fmt::format("{}", fmt::join(words, ", "));
-}
-
-std::size_t line_of(std::string_view text, std::size_t byte) {
-  const auto read = text.substr(0, std::min(byte, text.size()));
-  return 1 + static_cast<std::size_t>(std::ranges::count(read, '\n'));
 }
 
 }  // namespace
@@ -70,7 +56,7 @@ class SegmentTableReader {
     failed_ = failed_ || severity == Severity::Error;
     diagnostics_.push_back({.severity = severity,
                             .file = file_,
-                            .line = 0,
+                            .line = lines_ ? lines_->line_of(pointer) : 0,
                             .pointer = std::move(pointer),
                             .finding = std::move(finding),
                             .remedy = std::move(remedy)});
@@ -82,24 +68,20 @@ class SegmentTableReader {
 
   /// The JSON, with keys that stand twice noted (the library would silently keep the last).
   json syntax_tree(std::string_view text) {
-    std::vector<std::set<std::string>> open;
-    const auto note_doubled = [&](int, json::parse_event_t event, json& parsed) {
-      if (event == json::parse_event_t::object_start) open.emplace_back();
-      if (event == json::parse_event_t::object_end) open.pop_back();
-      if (event == json::parse_event_t::key && !open.back().insert(parsed).second) {
-        error("",
-              fmt::format("the key {} stands twice in one object", parsed.dump()),
-              "keep one of them");
-      }
-      return true;
-    };
-    try {
-      return json::parse(text, note_doubled);
-    } catch (const json::parse_error& failure) {
-      error("", fmt::format("is not JSON: {}", failure.what()), "mend the syntax at that place");
-      diagnostics_.back().line = line_of(text, failure.byte);
+    auto parsed = parse_json(text);
+    if (const auto* fault = std::get_if<TextFault>(&parsed)) {
+      error("", fault->finding, fault->remedy);
+      diagnostics_.back().line = fault->line;
       return {};
     }
+    lines_.emplace(text);
+    for (const auto& doubled : lines_->duplicates()) {
+      error(
+          doubled.pointer,
+          fmt::format("the key stands twice in one object, first on line {}", doubled.earlier_line),
+          "keep one of them");
+    }
+    return std::get<json>(std::move(parsed));
   }
 
   const json* object_in(const json& parent, const std::string& pointer, const char* key) {
@@ -327,6 +309,7 @@ class SegmentTableReader {
 
   std::string file_;
   std::vector<Diagnostic>& diagnostics_;
+  std::optional<JsonLines> lines_;  ///< once it has been parsed
   SegmentTable table_;
   std::set<std::string> used_sources_;
   std::set<Control> grouped_;

@@ -173,6 +173,22 @@ TEST_F(BadInput, SoundThatClipsIsFoundBeforeTheSession) {
   EXPECT_TRUE(runner::read_sessions(path("y.sqlite")).empty());
 }
 
+// Found by a newcomer: the noise of some later participant clipped at a level that check allowed.
+TEST_F(BadInput, SoundThatOnlyOtherNoiseWouldClipIsWarnedOf) {
+  const auto at_level = [](int level) {
+    return replaced(
+        kProtocol, "\"speech_level_dbfs\": -30", "\"speech_level_dbfs\": " + std::to_string(level));
+  };
+  int level = -40;
+  while (level < -3 && check(at_level(level)).exit_code == 0) ++level;
+  const auto first = check(at_level(level));
+  EXPECT_THAT(first,
+              ended(ExitCode::Findings,
+                    AllOf(HasSubstr("tried.json:8: /conditions/0: warning: "),
+                          HasSubstr("with the noise of another participant"),
+                          HasSubstr("lower /sound/speech_level_dbfs"))));
+}
+
 TEST_F(BadInput, LevelThatCheckRecommendsDoesNotClip) {
   auto loud = replaced(kProtocol, "\"snr_db\": -4", "\"snr_db\": -20");
   loud = replaced(loud, "\"speech_level_dbfs\": -30", "\"speech_level_dbfs\": 0");
@@ -321,6 +337,8 @@ TEST_F(BadInput, WrongUsageEndsWithTwo) {
                                                     {"check", "two.json", "--loud"},
                                                     {"rehearse", "two.json", "--participants", "0"},
                                                     {"rehearse", "two.json", "--seed", "x"},
+                                                    {"rehearse", "two.json", "--seed", "-1"},
+                                                    {"rehearse", "two.json", "--trials", "0"},
                                                     {"stimuli"},
                                                     {"stimuli", "mix", "two.json"}}) {
     EXPECT_THAT(bimodal(arguments), ended(ExitCode::Usage, HasSubstr("--help")));
@@ -356,6 +374,42 @@ TEST_F(BadInput, TrialThatIsNotThereIsRefused) {
                 ended(ExitCode::InvalidInput, HasSubstr("trials 1 to 2")));
   }
   EXPECT_FALSE(std::filesystem::exists(path("x.wav")));
+}
+
+TEST_F(BadInput, SimulatedParticipantsAreNotRepeatedByMistakeEither) {
+  const std::vector<std::string> rehearse{"rehearse", "two.json", "--data", "x.sqlite"};
+  ASSERT_EQ(bimodal(rehearse).exit_code, 0);
+  EXPECT_THAT(bimodal(rehearse),
+              ended(ExitCode::InvalidInput,
+                    AllOf(HasSubstr("participant 'S01' (2 trials, complete, simulated)"),
+                          HasSubstr("--again"))));
+  EXPECT_EQ(runner::read_sessions(path("x.sqlite")).size(), 1U);
+  auto again = rehearse;
+  again.emplace_back("--again");
+  EXPECT_EQ(bimodal(again).exit_code, 0);
+}
+
+TEST_F(BadInput, NameOfAParticipantMustStayOnOneLine) {
+  EXPECT_THAT(bimodal(unattended({"--participant", "P\n2", "--data", "x.sqlite"})),
+              ended(ExitCode::InvalidInput, HasSubstr("line breaks")));
+}
+
+TEST_F(BadInput, UnknownVerbGetsTheNearestKnownOne) {
+  EXPECT_THAT(bimodal({"chek", "two.json"}),
+              ended(ExitCode::Usage, HasSubstr("there is no verb 'chek'; did you mean 'check'?")));
+}
+
+TEST_F(BadInput, WordIsShownAsItIsWritten) {
+  EXPECT_THAT(check(replaced(kProtocol, "\"fish\"", "\"stra\u00dfe\"")).output,
+              HasSubstr("\"stra\u00dfe\" has no pronunciation"));
+}
+
+TEST_F(BadInput, EmptyDataFileBecomesPrivate) {
+  files_.write("empty.sqlite", "");
+  std::filesystem::permissions(path("empty.sqlite"), std::filesystem::perms{0644});
+  ASSERT_EQ(bimodal({"rehearse", "two.json", "--data", "empty.sqlite"}).exit_code, 0);
+  EXPECT_EQ(std::filesystem::status(path("empty.sqlite")).permissions(),
+            std::filesystem::perms{0600});
 }
 
 TEST_F(BadInput, SessionThatAParticipantHasAlreadyIsNotRepeatedByMistake) {

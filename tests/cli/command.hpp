@@ -80,6 +80,9 @@ class StartedCommand {
   /// Ends it as a power cut would.
   void kill_at_once() const { kill(child_, SIGKILL); }
 
+  /// Ends it as Ctrl-C would.
+  void interrupt() const { kill(child_, SIGINT); }
+
   /// Waits until it ends.
   Ended end() {
     while (read_on()) {

@@ -76,5 +76,19 @@ TEST(Interruption, OfAProcessLosesNoAnsweredTrial) {
   EXPECT_THAT(runner::read_sessions(data), SizeIs(2));
 }
 
+TEST(Interruption, ByCtrlCEndsTheSessionInOrder) {
+  WrittenFiles files;
+  files.write("six.json", kProtocol);
+  StartedCommand session{files.folder(), "bimodal", run_of("P01", "6")};
+  ASSERT_TRUE(session.await("trial 2 of 6"));
+  session.interrupt();
+  const auto ended = session.end();
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.output, HasSubstr("stopped: 1 of 6 trials stored in x.sqlite"));
+  const auto sessions = runner::read_sessions(files.folder() / "x.sqlite");
+  ASSERT_THAT(sessions, SizeIs(1));
+  EXPECT_EQ(sessions[0].outcome, "stopped");
+}
+
 }  // namespace
 }  // namespace bimodal

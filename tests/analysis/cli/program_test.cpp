@@ -104,7 +104,7 @@ TEST_F(Program, SaysWhyThereIsNothingToAnalyse) {
       run({"report", data, "-o", in_folder("report").string(), "--dictionary", dictionary()});
   EXPECT_EQ(made.code, ExitCode::Findings);
   EXPECT_EQ(made.err,
-            "bimodal-analysis: no trial left to analyse: 1 stored in 1 session(s), left out: 1 x "
+            "bimodal-analysis: no trial left to analyse: 1 stored in 1 session, left out: 1 x "
             "practice trial; check the selection (--include-practice counts practice trials)\n");
   EXPECT_FALSE(std::filesystem::exists(in_folder("report")));
 }

@@ -73,6 +73,19 @@ TEST(GatherTrials, CountsATrialUnderItsFirstReasonOnly) {
   EXPECT_EQ(gather_trials(files, {.include_practice = true}).trials.size(), 3U);
 }
 
+TEST(GatherTrials, LeavesSimulatedAnswersOutWhereAsked) {
+  auto simulated = session("P02", {stored_trial(0, "bed", "B EH D", "bed")});
+  simulated.session.simulated_answers = true;
+  const std::vector files{
+      file("a", {session("P01", {stored_trial(0, "bed", "B EH D", "bed")}), simulated})};
+  EXPECT_EQ(gather_trials(files, {}).trials.size(), 2U);
+  const auto dataset = gather_trials(files, {.exclude_simulated = true});
+  ASSERT_EQ(dataset.trials.size(), 1U);
+  EXPECT_EQ(dataset.trials[0].participant, "P01");
+  EXPECT_THAT(dataset.exclusions,
+              ElementsAre(Exclusion{"practice trial", 0}, Exclusion{"simulated answer", 1}));
+}
+
 TEST(GatherTrials, SelectsParticipantsAndConditionsAndKnowsWhichThereAre) {
   const std::vector files{file("a", {session("P01", {stored_trial(0, "bed", "B EH D", "bed")})}),
                           file("b", {session("P02", {stored_trial(0, "bed", "B EH D", "bed")})})};

@@ -25,6 +25,7 @@ TEST(EditDistance, IsSymmetric) {
 
 TEST(Nearest, FindsWhatWasMeant) {
   EXPECT_EQ(nearest("snrdb", kKeys), "snr_db");
+  EXPECT_EQ(nearest("snr", kKeys), "snr_db");
   EXPECT_EQ(nearest("SNR_dB", kKeys), "snr_db");
   EXPECT_EQ(nearest("auditroy", kKeys), "auditory");
   EXPECT_EQ(nearest("nmae", kKeys), "name");

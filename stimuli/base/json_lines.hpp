@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace bimodal::protocols {
+namespace bimodal {
 
 /// A place in a text, both from 1; columns count characters (code points).
 struct TextPosition {
@@ -52,4 +52,4 @@ class JsonLines {
   std::vector<DuplicateKey> duplicates_;
 };
 
-}  // namespace bimodal::protocols
+}  // namespace bimodal

@@ -1,4 +1,4 @@
-#include "protocols/reading/json_lines.hpp"
+#include "stimuli/base/json_lines.hpp"
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 #include "stimuli/base/random.hpp"
 
-namespace bimodal::protocols {
+namespace bimodal {
 namespace {
 
 TEST(PositionOf, CountsLinesAndCharactersFromOne) {
@@ -111,4 +111,4 @@ TEST(JsonLines, AgreesWithThePrinterOnAnyValue) {
 }
 
 }  // namespace
-}  // namespace bimodal::protocols
+}  // namespace bimodal

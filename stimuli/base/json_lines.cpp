@@ -1,10 +1,10 @@
-#include "protocols/reading/json_lines.hpp"
+#include "stimuli/base/json_lines.hpp"
 
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
 
-namespace bimodal::protocols {
+namespace bimodal {
 
 namespace {
 
@@ -180,4 +180,4 @@ std::size_t JsonLines::line_of(std::string_view pointer) const {
   return lines_[self];
 }
 
-}  // namespace bimodal::protocols
+}  // namespace bimodal

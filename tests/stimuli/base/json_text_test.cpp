@@ -1,4 +1,4 @@
-#include "protocols/reading/json_text.hpp"
+#include "stimuli/base/json_text.hpp"
 
 #include <string>
 #include <variant>
@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace bimodal::protocols {
+namespace bimodal {
 namespace {
 
 using ::testing::HasSubstr;
@@ -106,4 +106,4 @@ TEST(Shown, ShortensAndEscapes) {
 }
 
 }  // namespace
-}  // namespace bimodal::protocols
+}  // namespace bimodal

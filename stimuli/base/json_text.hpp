@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace bimodal::protocols {
+namespace bimodal {
 
-/// What a protocol file may cost: it may come from anywhere.
+/// What a JSON file may cost: it may come from anywhere.
 inline constexpr std::size_t kLargestFile = 16UL << 20U;  ///< bytes
 inline constexpr std::size_t kDeepestNesting = 64;        ///< objects and arrays in each other
 inline constexpr std::size_t kMostValues = 200'000;       ///< in one file
@@ -26,7 +26,7 @@ struct TextFault {
 /// double.
 [[nodiscard]] std::variant<nlohmann::json, TextFault> parse_json(std::string_view text);
 
-/// A value as JSON for a message, shortened to about 60 characters, ASCII only, no line breaks.
+/// A value as JSON for a message, shortened to about 60 bytes, without line breaks.
 [[nodiscard]] std::string shown(const nlohmann::json& value);
 
-}  // namespace bimodal::protocols
+}  // namespace bimodal

@@ -1,13 +1,13 @@
-#include "protocols/reading/json_text.hpp"
+#include "stimuli/base/json_text.hpp"
 
 #include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "protocols/reading/json_lines.hpp"
+#include "stimuli/base/json_lines.hpp"
 
-namespace bimodal::protocols {
+namespace bimodal {
 
 namespace {
 
@@ -89,7 +89,7 @@ std::optional<TextFault> fault_of_shape(std::string_view text) {
       return fault_at(text,
                       at,
                       fmt::format("more than {} values", kMostValues),
-                      "is this a protocol? Long word lists belong in a file of their own");
+                      "is this the right file? Long lists belong in files of their own");
     }
   }
   return std::nullopt;
@@ -197,6 +197,10 @@ TextFault fault_of_syntax(std::string_view text) {
   return {position.line, std::move(finding), remedy_for(complaint)};
 }
 
+std::string printed(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::variant<Json, TextFault> parse_json(std::string_view text) {
@@ -205,10 +209,11 @@ std::variant<Json, TextFault> parse_json(std::string_view text) {
         0,
         fmt::format(
             "{} bytes are more than the {} MB that we read", text.size(), kLargestFile >> 20U),
-        "is this a protocol?"};
+        "is this the right file?"};
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return TextFault{0, "the file is empty", "begin with an example of protocols/library"};
+    return TextFault{
+        0, "the file is empty", "begin with a copy of a file that ships with the program"};
   }
   if (auto fault = fault_of_encoding(text)) return *fault;
   if (auto fault = fault_of_shape(text)) return *fault;
@@ -228,12 +233,12 @@ std::string shown(const Json& value) {
     if (text.size() > kLongest) {
       std::size_t end = kLongest;
       while (end > 0 && (byte_at(text, end) & 0xC0U) == 0x80U) --end;
-      auto shortened = Json(text.substr(0, end)).dump(-1, ' ', true);
+      auto shortened = printed(Json(text.substr(0, end)));
       shortened.insert(shortened.size() - 1, "...");
       return shortened;
     }
   }
-  return value.dump(-1, ' ', true);
+  return printed(value);
 }
 
-}  // namespace bimodal::protocols
+}  // namespace bimodal
