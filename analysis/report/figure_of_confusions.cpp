@@ -15,6 +15,7 @@ namespace bimodal::analysis {
 
 namespace {
 
+constexpr double kHeadingLength = 54.0;  ///< of "stimulus", which stands upright
 constexpr double kCell = 27.0;
 constexpr double kWideCell = 44.0;  ///< of a column that is no phone
 constexpr double kGap = 7.0;        ///< between the phones and what is none
@@ -95,7 +96,7 @@ class Drawing {
 
   std::string draw() {
     const double width = columns_.end + kRight;
-    const double height = bottom_ + 8.0;
+    const double height = std::max(bottom_, kTop + kHeadingLength) + 8.0;
     put("<svg class='matrix' viewBox='0 0 {:g} {:g}' width='{:g}' height='{:g}' "
         "role='img' "
         "aria-label='Confusion matrix, {}, condition {}'>\n",
@@ -125,7 +126,7 @@ class Drawing {
         (kLeft + columns_.phones_end) / 2);
     put("<text class='axis' transform='translate(11 {:g}) rotate(-90)' "
         "text-anchor='middle'>stimulus</text>\n",
-        (kTop + bottom_) / 2);
+        (kTop + std::max(bottom_, kTop + kHeadingLength)) / 2);
     for (std::size_t j = 0; j < matrix_.responses().size(); ++j) {
       const auto& label = matrix_.responses()[j];
       put("<text class='{}' x='{:g}' y='{:g}' text-anchor='middle'>{}</text>\n",

@@ -185,7 +185,7 @@ std::string part_of_confusions(const Results& results) {
     const auto total = table.matrix.total();
     part += fmt::format(
         "<figure>{}<figcaption><b>Figure {}. {}, condition {}.</b> {} Left out as ambiguous: {}. "
-        "Words without: {}.</figcaption></figure>\n",
+        "Words without such a phone: {}.</figcaption></figure>\n",
         figure_of_confusions(table),
         ++number,
         title(table.unit),
