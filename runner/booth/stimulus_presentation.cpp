@@ -106,7 +106,9 @@ class StimulusLoop {
     if (missed_ > 0) {
       record_.events.push_back({.at = since_zero(booth_.clock.now()),
                                 .kind = "late_frame",
-                                .detail = fmt::format("{} refreshes were late", missed_)});
+                                .detail = missed_ == 1
+                                              ? "1 refresh was late"
+                                              : fmt::format("{} refreshes were late", missed_)});
     }
   }
 
