@@ -30,6 +30,16 @@ void caution_unfinished(Dataset& dataset) {
   }
 }
 
+void caution_shortened(Dataset& dataset) {
+  const auto shortened = std::ranges::count_if(dataset.sessions, [](const SessionSummary& session) {
+    return session.shortened && session.analysed_trials > 0;
+  });
+  if (shortened == 0) return;
+  dataset.warnings.push_back(
+      fmt::format("{} shortened for trying out (--trials or --no-practice); included.",
+                  counted(shortened, "session was", "sessions were")));
+}
+
 void caution_mixtures(Dataset& dataset) {
   std::set<std::string> protocols;
   std::set<std::string> people;
@@ -114,6 +124,7 @@ void add_cautions(Dataset& dataset) {
   caution_mixtures(dataset);
   caution_ambiguous_conditions(dataset);
   caution_unfinished(dataset);
+  caution_shortened(dataset);
   caution_repetitions(dataset);
   caution_trials(dataset);
 }

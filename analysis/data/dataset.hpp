@@ -31,6 +31,7 @@ struct SessionSummary {
   std::string observer;     ///< of simulated answers; empty for people
   bool simulated = false;   ///< a simulated observer answered, or time was virtual
   int planned_trials = 0;   ///< practice included
+  bool shortened = false;   ///< by --trials or --no-practice of `run` or `rehearse`
   int stored_trials = 0;    ///< practice included
   int analysed_trials = 0;  ///< left after all exclusions
   int flagged_trials = 0;   ///< among the stored

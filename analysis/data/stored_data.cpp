@@ -63,6 +63,7 @@ SessionSummary summarise(const StoredSession& stored, std::size_t file) {
           .observer = session.observer,
           .simulated = is_simulated(stored),
           .planned_trials = stored.planned_trials,
+          .shortened = stored.shortened,
           .stored_trials = static_cast<int>(stored.trials.size()),
           .analysed_trials = 0,
           .flagged_trials = static_cast<int>(std::ranges::count_if(

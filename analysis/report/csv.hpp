@@ -12,8 +12,9 @@ namespace bimodal::analysis {
 using CsvField = std::variant<std::monostate, std::string_view, std::int64_t, double>;
 
 /// Appends one line (RFC 4180, but ended by a line feed alone). Text is always in quotation marks,
-/// so that "NA", "1e5" and "" stay text; numbers never are, and have a decimal point; an absent
-/// value is an empty field.
+/// numbers never are, and have a decimal point; an absent value is an empty field. R and pandas
+/// take the answer "NA" for a missing value all the same, unless told na.strings = character() or
+/// keep_default_na = False.
 void append_csv(std::string& table, std::span<const CsvField> fields);
 
 }  // namespace bimodal::analysis

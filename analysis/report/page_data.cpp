@@ -128,8 +128,7 @@ std::string part_of_methods(const Results& results) {
       R"(<h2 id="methods">How it was computed</h2>
 <dl>
 <dt>Words</dt><dd>Case, space, punctuation and accents are ignored. An answer is correct if it is the
-word, or if any pronunciation that the dictionary gives for it is one of the word, or is what was
-presented (homophone). An answer with nothing left is blank, an omission.</dd>
+word, or if any pronunciation that the dictionary gives for it is what was presented (homophone). An answer with nothing left is blank, an omission.</dd>
 <dt>Phonemes</dt><dd>The answer&#8217;s pronunciation is aligned with the phones presented at least
 cost: substitution, deletion and insertion cost 1 each, vowels stand only against vowels and consonants
 against consonants; among equal costs the alignment with most matches. The pronunciation of least cost

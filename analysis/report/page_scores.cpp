@@ -172,7 +172,8 @@ std::string part_of_confusions(const Results& results) {
       "then "
       "diphthongs), with thin lines between places. Cells are proportions of their row: colour on "
       "one scale for all matrices, numbers above .005; <i>n</i> is the number of presentations "
-      "(slanted and orange below 10). <i>deleted</i>: nothing of the answer stands in this place; "
+      "whose alignment is unambiguous (slanted and orange below 10). <i>deleted</i>: nothing of "
+      "the answer stands in this place; "
       "<i>blank</i>: no answer; <i>other</i>: the answer is not in the dictionary.</p>\n" +
       figure_of_scale();
   int number = 1;

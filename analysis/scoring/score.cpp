@@ -14,31 +14,26 @@ using Outcome = UnitScore::Outcome;
 constexpr std::array<std::string_view, 5> kVerdicts{
     "correct", "homophone", "wrong", "not in dictionary", "omission"};
 
+std::string without_apostrophes(std::string text) {
+  std::erase(text, '\'');
+  return text;
+}
+
 /// Of the spelling as it is, else without apostrophes.
 std::span<const Pronunciation> look_up(const Dictionary& dictionary, const std::string& folded) {
   const auto found = dictionary.pronunciations(folded);
   if (!found.empty() || folded.find('\'') == std::string::npos) return found;
-  std::string plain = folded;
-  std::erase(plain, '\'');
-  return dictionary.pronunciations(plain);
+  return dictionary.pronunciations(without_apostrophes(folded));
 }
 
-bool share_one(std::span<const Pronunciation> ones, std::span<const Pronunciation> others) {
-  return std::ranges::any_of(ones, [&](const Pronunciation& one) {
-    return std::ranges::find(others, one) != others.end();
-  });
-}
-
-Verdict judge(const Trial& trial,
-              const std::string& answer,
-              std::span<const Pronunciation> said,
-              const Dictionary& dictionary) {
+Verdict judge(const Trial& trial, const std::string& answer, std::span<const Pronunciation> said) {
   if (answer.empty()) return Verdict::Omission;
   const auto word = fold_spelling(trial.word);
   if (answer == word) return Verdict::Correct;
-  if (said.empty()) return Verdict::Unknown;
-  const bool same_sound =
-      share_one(said, {&trial.phones, 1}) || share_one(said, look_up(dictionary, word));
+  if (said.empty()) {
+    return answer == without_apostrophes(word) ? Verdict::Correct : Verdict::Unknown;
+  }
+  const bool same_sound = std::ranges::find(said, trial.phones) != said.end();
   return same_sound ? Verdict::Homophone : Verdict::Wrong;
 }
 
@@ -71,7 +66,7 @@ Score score(const Trial& trial, const Dictionary& dictionary) {
   scored.answer = fold_spelling(trial.response);
   scored.phones = static_cast<int>(phones.size());
   const auto said = look_up(dictionary, scored.answer);
-  scored.verdict = judge(trial, scored.answer, said, dictionary);
+  scored.verdict = judge(trial, scored.answer, said);
   switch (scored.verdict) {
     case Verdict::Correct:
     case Verdict::Homophone:

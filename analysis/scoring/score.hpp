@@ -16,7 +16,7 @@ namespace bimodal::analysis {
 /// What an answer is, as a word.
 enum class Verdict {
   Correct,    ///< the word itself
-  Homophone,  ///< another spelling with a pronunciation that the word has; counts as correct
+  Homophone,  ///< another spelling that can be said as was presented; counts as correct
   Wrong,      ///< another word of the dictionary
   Unknown,    ///< not in the dictionary, so without phones; a wrong word
   Omission,   ///< blank; a wrong word
@@ -54,8 +54,9 @@ struct Score {
   }
 };
 
-/// A word is correct if its spelling is, or if any pronunciation of the answer is one that the
-/// dictionary gives for the stimulus, or the one that was presented. All phones of a correct word
+/// A word is correct if its spelling is (an apostrophe may be left out, unless that makes another
+/// word), or if any pronunciation that the dictionary gives for the answer is the one that was
+/// presented: "red" for "read" said as R EH D, but not said as R IY D. All phones of a correct word
 /// are correct. Else the answer's pronunciations are aligned with the phones presented.
 [[nodiscard]] Score score(const Trial& trial, const Dictionary& dictionary);
 

@@ -37,6 +37,34 @@ std::optional<double> pearson(const std::vector<double>& xs, const std::vector<d
   return xy / std::sqrt(xx * yy);
 }
 
+/// Responses that are not ignored and were given in one of the two, or are a stimulus of both; so
+/// that a third condition, with which they share their labels, does not change their likeness.
+std::vector<std::size_t> compared_columns(const ConfusionMatrix& one,
+                                          const ConfusionMatrix& other,
+                                          const std::vector<std::string>& ignored) {
+  std::vector<std::size_t> columns;
+  for (std::size_t j = 0; j < one.responses().size(); ++j) {
+    const auto& response = one.responses()[j];
+    if (std::ranges::find(ignored, response) != ignored.end()) continue;
+    bool wanted = false;
+    for (std::size_t i = 0; i < one.stimuli().size(); ++i) {
+      const bool in_both = one.row_total(i) > 0 && other.row_total(i) > 0;
+      wanted = wanted || one.count(i, j) + other.count(i, j) > 0 ||
+               (in_both && one.stimuli()[i] == response);
+    }
+    if (wanted) columns.push_back(j);
+  }
+  return columns;
+}
+
+std::int64_t sum_over(const ConfusionMatrix& matrix,
+                      std::size_t stimulus,
+                      const std::vector<std::size_t>& columns) {
+  std::int64_t sum = 0;
+  for (const std::size_t j : columns) sum += matrix.count(stimulus, j);
+  return sum;
+}
+
 }  // namespace
 
 ConfusionMatrix::ConfusionMatrix(std::vector<std::string> stimuli,
@@ -85,21 +113,22 @@ Likeness compare_errors(const ConfusionMatrix& one,
                         const ConfusionMatrix& other,
                         const std::vector<std::string>& ignored) {
   assert(one.stimuli() == other.stimuli() && one.responses() == other.responses());
+  const auto columns = compared_columns(one, other, ignored);
   std::vector<double> ones;
   std::vector<double> others;
   Likeness likeness;
   double squares = 0.0;
   for (std::size_t i = 0; i < one.stimuli().size(); ++i) {
-    for (std::size_t j = 0; j < one.responses().size(); ++j) {
-      const auto& response = one.responses()[j];
-      if (response == one.stimuli()[i]) continue;
-      if (std::ranges::find(ignored, response) != ignored.end()) continue;
-      const auto x = one.proportion(i, j);
-      const auto y = other.proportion(i, j);
-      if (!x || !y) continue;
-      ones.push_back(*x);
-      others.push_back(*y);
-      squares += (*x - *y) * (*x - *y);
+    const auto row_one = sum_over(one, i, columns);
+    const auto row_other = sum_over(other, i, columns);
+    if (row_one == 0 || row_other == 0) continue;
+    for (const std::size_t j : columns) {
+      if (one.responses()[j] == one.stimuli()[i]) continue;
+      const double x = static_cast<double>(one.count(i, j)) / static_cast<double>(row_one);
+      const double y = static_cast<double>(other.count(i, j)) / static_cast<double>(row_other);
+      ones.push_back(x);
+      others.push_back(y);
+      squares += (x - y) * (x - y);
       if (one.count(i, j) + other.count(i, j) > 0) ++likeness.cells_used;
     }
   }

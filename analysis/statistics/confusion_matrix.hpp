@@ -49,7 +49,8 @@ struct Likeness {
   std::optional<double> rms_deviation;  ///< root mean square difference of row proportions
 };
 
-/// Both matrices have the same labels. Responses named in `ignored` ("blank") are not compared.
+/// Both matrices have the same labels. Responses named in `ignored` ("blank") are neither compared
+/// nor counted in the rows' totals, nor are those compared that neither matrix has.
 [[nodiscard]] Likeness compare_errors(const ConfusionMatrix& one,
                                       const ConfusionMatrix& other,
                                       const std::vector<std::string>& ignored = {});

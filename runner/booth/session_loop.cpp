@@ -19,6 +19,9 @@ using namespace std::chrono_literals;
 /// Before the first trial the display must have been watched for this many refreshes.
 constexpr int kRefreshesWatched = 100;
 
+/// But no longer than this, for a display may stop telling.
+constexpr int kMostWatched = 300;
+
 /// From scheduling to the first refresh at the earliest, whatever the sound needs.
 constexpr Duration kSchedulingMargin = 50ms;
 
@@ -38,9 +41,9 @@ class SessionLoop {
       const bool go_on = std::holds_alternative<PageStep>(step)
                              ? show_page(std::get<PageStep>(step))
                              : run_trial(std::get<TrialStep>(step));
-      if (!go_on) return outcome_;
+      if (!go_on) break;
     }
-    outcome_.complete = true;
+    outcome_.complete = outcome_.trials == static_cast<int>(parts_.plan.size());
     return outcome_;
   }
 
@@ -103,8 +106,7 @@ class SessionLoop {
     }
     ++outcome_.trials;
     outcome_.flagged += record.flagged ? 1 : 0;
-    pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
-    return true;
+    return pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
   }
 
   /// From planning to the first refresh, at least.
@@ -182,14 +184,36 @@ class SessionLoop {
     return true;
   }
 
-  /// The blank between trials, at least until the data are on the disk.
-  void pause_until_stored(std::future<void> stored) {
+  /// The blank between trials, at least until the data are on the disk. False if the session is to
+  /// be stopped.
+  bool pause_until_stored(std::future<void> stored) {
     const auto end = booth_.clock.now() + parts_.protocol.intervals.pause;
-    while (booth_.clock.now() < end) {
+    bool stop = false;
+    while (!stop && booth_.clock.now() < end) {
       present({});
-      discard_keystrokes();
+      stop = stop_is_meant();
     }
     await(std::move(stored));
+    if (stop) store_event("stopped", "between trials");
+    return !stop;
+  }
+
+  /// Where nothing else is typed: whether Escape or the closed window was meant.
+  bool stop_is_meant() {
+    const auto asks = [](const Keystroke& stroke) {
+      return stroke.key == Key::Escape || stroke.key == Key::WindowClosed;
+    };
+    if (std::ranges::none_of(booth_.keyboard.poll(), asks)) return false;
+    Screen question;
+    question.captions = {{.text = kStopQuestion, .centre_y = 0.45, .size = 0.035}};
+    while (true) {
+      if (parts_.interrupted()) return true;
+      present(question);
+      for (const auto& stroke : booth_.keyboard.poll()) {
+        if (asks(stroke)) return true;
+        if (stroke.key == Key::Enter) return false;
+      }
+    }
   }
 
   static void await(std::future<void> stored) { stored.get(); }
@@ -199,7 +223,11 @@ class SessionLoop {
   void begin_once() {
     if (outcome_.session) return;
     const bool measures = booth_.display.time_source() != TimeSource::Predicted;
-    while (measures && booth_.display.refresh().count < kRefreshesWatched) present({});
+    for (int more = 0; measures && more < kMostWatched; ++more) {
+      if (booth_.display.refresh().count >= kRefreshesWatched || parts_.interrupted()) break;
+      present({});
+      discard_keystrokes();
+    }
     outcome_.session = parts_.begin(booth_.display.refresh());
   }
 
@@ -216,7 +244,7 @@ class SessionLoop {
     waiting.captions = {{.text = "One moment, please ...", .centre_y = 0.45, .size = 0.035}};
     waiting.progress = progress;
     while (!parts_.trials.ready()) {
-      if (parts_.interrupted()) return false;
+      if (parts_.interrupted() || stop_is_meant()) return false;
       present(waiting);
     }
     return true;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "runner/devices/device_error.hpp"
+
 namespace bimodal::runner {
 
 namespace {
@@ -59,7 +61,6 @@ class StimulusLoop {
     }
     report_picture();
     if (trial_.sound) report_sound();
-    record_.flagged = record_.flagged || missed_ > 0;
   }
 
  private:
@@ -85,13 +86,16 @@ class StimulusLoop {
     }
     const Instant planned = cues_.refresh(index);
     const auto presented = booth_.display.present(screen_, planned);
-    source_ = presented.source;
     if (shows_frame) {
-      if (presented.lateness > booth_.display.refresh().period / 2) ++missed_;
+      const Duration half = booth_.display.refresh().period / 2;
+      if (presented.lateness > half) ++late_;
+      if (presented.lateness < -half) ++early_;
       record_.refreshes.frame.push_back(frame);
       record_.refreshes.planned.push_back(since_zero(planned));
       record_.refreshes.shown.push_back(since_zero(presented.onset));
-      if (!zero_shown_ && frame >= zero_frame_) zero_shown_ = presented.onset;
+      if (!zero_ && frame >= zero_frame_) zero_ = presented;
+      if (zero_ && !zero_since_)
+        zero_since_ = frame_time(trial_.layout, trial_.drawing_rate, frame);
     }
     return presented.onset;
   }
@@ -100,16 +104,17 @@ class StimulusLoop {
     if (trial_.frames == 0) return;
     OnsetRecord onset{.modality = "visual",
                       .planned = since_zero(cues_.visual_zero()),
-                      .source = std::string{name(source_)}};
-    if (zero_shown_) onset.reported = since_zero(*zero_shown_);
+                      .source = std::string{name(zero_ ? zero_->source : TimeSource::Predicted)}};
+    // If the frame of time zero was left out, the first one after it tells when it would have been.
+    if (zero_) onset.reported = since_zero(zero_->onset - *zero_since_);
     record_.onsets.push_back(onset);
-    if (missed_ > 0) {
-      record_.events.push_back({.at = since_zero(booth_.clock.now()),
-                                .kind = "late_frame",
-                                .detail = missed_ == 1
-                                              ? "1 refresh was late"
-                                              : fmt::format("{} refreshes were late", missed_)});
-    }
+    note_refreshes("late_frame", late_, "late");
+    note_refreshes("early_frame", early_, "early");
+  }
+
+  void note_refreshes(const char* kind, int count, std::string_view how) {
+    if (count == 0) return;
+    note(kind, fmt::format("{} {} {}", count, count == 1 ? "refresh was" : "refreshes were", how));
   }
 
   void report_sound() {
@@ -129,7 +134,15 @@ class StimulusLoop {
         note("late_sound", fmt::format("{:+.2f} ms against the plan", milliseconds(lateness)));
       }
     }
+    if (playback.lost) {
+      throw DeviceError{
+          "the sound device was lost during a trial, which is not stored; check it and begin the "
+          "session again by --again"};
+    }
     record_.onsets.push_back(onset);
+    if (!playback.onset && booth_.audio.kind() != "none") {
+      note("sound_unreported", "the device did not report the sound's onset");
+    }
     if (playback.underflows > 0) {
       note("underflow", fmt::format("{} during the sound", playback.underflows));
     }
@@ -150,10 +163,11 @@ class StimulusLoop {
   TrialRecord& record_;
   Screen screen_;
   Picture picture_;
-  TimeSource source_ = TimeSource::Predicted;
-  std::optional<Instant> zero_shown_;
+  std::optional<Presentation> zero_;    ///< of the first frame not before time zero
+  std::optional<Duration> zero_since_;  ///< which time of the recording that frame shows
   std::int64_t zero_frame_ = lead_frames(trial_.layout, trial_.drawing_rate);
-  int missed_ = 0;
+  int late_ = 0;  ///< frames more than half a refresh off
+  int early_ = 0;
 };
 
 }  // namespace

@@ -71,16 +71,23 @@ int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) 
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
-    return rehearsal.store.begin(record, plan_records(protocol, plan));
+    const auto id = rehearsal.store.begin(record, plan_records(protocol, plan));
+    if (rehearsal.options.trials) {
+      rehearsal.store.add(id,
+                          EventRecord{.at = clock.now().time_since_epoch(),
+                                      .kind = "shortened",
+                                      .detail = counted(plan.size(), "trial") + " by --trials"});
+    }
+    return id;
   };
-  const auto outcome = run_session(
-      {.protocol = protocol,
-       .plan = plan,
-       .booth = {clock, display, keyboard, audio},
-       .trials = trials,
-       .store = rehearsal.writer,
-       .begin = begin,
-       .answer = simulated_answers(protocol, key.participant_number, rehearsal.options.seed)});
+  const auto outcome =
+      run_session({.protocol = protocol,
+                   .plan = plan,
+                   .booth = {clock, display, keyboard, audio},
+                   .trials = trials,
+                   .store = rehearsal.writer,
+                   .begin = begin,
+                   .answer = simulated_answers(protocol, key, rehearsal.options.seed)});
   if (outcome.session) rehearsal.store.end(*outcome.session, "complete", utc_now());
   return outcome.trials;
 }
@@ -99,7 +106,11 @@ ExitCode rehearse(const RehearseOptions& options) {
                         : options.data;
   if (!options.again) {
     for (int i = 0; i < options.participants; ++i) {
-      refuse_repetition(data, name_of(options.first + i), 1, read->sha256);
+      refuse_repetition(data,
+                        name_of(options.first + i),
+                        {.participant_number = options.first + i, .session_number = 1},
+                        *read,
+                        true);
     }
   }
   const auto store = open_sqlite_store(data);
@@ -126,6 +137,14 @@ ExitCode rehearse(const RehearseOptions& options) {
              counted(static_cast<std::size_t>(options.participants), "participant"),
              counted(static_cast<std::size_t>(trials), "trial"),
              data);
+  const auto lists = static_cast<int>(read->protocol.conditions.size());
+  if (read->protocol.assignment == protocols::Assignment::Once &&
+      options.participants % lists != 0) {
+    fmt::print(
+        "note: the {} lists of words are met equally often by a multiple of {} participants\n",
+        lists,
+        lists);
+  }
   return ExitCode::Done;
 }
 

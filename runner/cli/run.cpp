@@ -173,7 +173,7 @@ ExitCode run(const RunOptions& options) {
                                          : std::filesystem::path{options.data};
   const bool simulated = options.answers == "simulated";
   if (!options.again) {
-    refuse_repetition(data, options.participant, key.session_number, read->sha256);
+    refuse_repetition(data, options.participant, key, *read, simulated);
   }
   // A new file is made only when the devices are there; an old one is opened before anything shows.
   auto store = std::filesystem::exists(data) ? open_sqlite_store(data) : nullptr;
@@ -215,8 +215,7 @@ ExitCode run(const RunOptions& options) {
        .trials = queue,
        .store = writer,
        .begin = begin,
-       .answer = simulated ? simulated_answers(protocol, key.participant_number, protocol.seed)
-                           : Answers{},
+       .answer = simulated ? simulated_answers(protocol, key, protocol.seed) : Answers{},
        .interrupted = [] { return interrupt_asked.load(); },
        .announce =
            [](std::string_view what) {

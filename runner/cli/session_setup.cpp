@@ -65,22 +65,35 @@ std::filesystem::path default_data_file(const std::string& protocol_named) {
 
 void refuse_repetition(const std::filesystem::path& data,
                        const std::string& participant,
-                       int session_number,
-                       const std::string& protocol_sha256) {
+                       protocols::SessionKey key,
+                       const protocols::ReadProtocol& read,
+                       bool simulated) {
   if (!std::filesystem::exists(data) || std::filesystem::file_size(data) == 0) return;
   for (const auto& stored : read_sessions(data)) {
     const auto& session = stored.session;
-    if (session.participant == participant && session.session_number == session_number &&
-        session.protocol_sha256 == protocol_sha256) {
+    if (session.protocol_sha256 != read.sha256 || session.session_number != key.session_number) {
+      continue;
+    }
+    if (session.participant == participant) {
       throw Error{fmt::format(
           "'{}' already has session {} of participant '{}' ({}, {}{}); give another --participant, "
           "--session or --data, or --again to add one more beside it",
           data.string(),
-          session_number,
+          key.session_number,
           participant,
           counted(stored.trials.size(), "trial"),
           stored.outcome.empty() ? "interrupted" : stored.outcome,
           session.simulated_answers ? ", simulated" : "")};
+    }
+    if (session.participant_number == key.participant_number &&
+        session.simulated_answers == simulated) {
+      throw Error{fmt::format(
+          "participant '{}' would get the very lists, order and noise of '{}', who has number {} "
+          "in '{}'; give a free --number, another --data, or --again if that is meant",
+          participant,
+          session.participant,
+          key.participant_number,
+          data.string())};
     }
   }
 }

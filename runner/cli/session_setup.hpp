@@ -30,11 +30,14 @@ struct Shortening {
 /// The protocol's name beside the working folder: "words414.sqlite".
 [[nodiscard]] std::filesystem::path default_data_file(const std::string& protocol_named);
 
-/// Throws Error if the file already has a session of this participant, number and protocol.
+/// Throws Error if the file already has this session of this participant and protocol, or if
+/// somebody else of the same kind (people, simulated) has had the same number in it, and with it
+/// the same lists, order and noise.
 void refuse_repetition(const std::filesystem::path& data,
                        const std::string& participant,
-                       int session_number,
-                       const std::string& protocol_sha256);
+                       protocols::SessionKey key,
+                       const protocols::ReadProtocol& read,
+                       bool simulated);
 
 /// Who, what and with which program: all of a session's record but the devices.
 [[nodiscard]] SessionRecord session_record(const protocols::ReadProtocol& read,

@@ -25,10 +25,15 @@ protocols::Observer typical_observer() {
 
 }  // namespace
 
-Answers simulated_answers(const protocols::Protocol& protocol, int participant_number, Seed seed) {
+Answers simulated_answers(const protocols::Protocol& protocol,
+                          const protocols::SessionKey& key,
+                          Seed seed) {
   auto observer = std::make_shared<const protocols::Observer>(typical_observer());
-  auto random = std::make_shared<Random>(
-      derive_seed(seed, "simulated answers", {static_cast<std::uint64_t>(participant_number)}));
+  auto random =
+      std::make_shared<Random>(derive_seed(seed,
+                                           "simulated answers",
+                                           {static_cast<std::uint64_t>(key.participant_number),
+                                            static_cast<std::uint64_t>(key.session_number)}));
   return [&protocol, observer, random](const protocols::PlannedTrial& trial) {
     const auto& condition = protocol.conditions.at(trial.condition);
     const protocols::Presented presented{.heard = condition.auditory_talker.has_value(),

@@ -10,10 +10,10 @@ namespace bimodal::runner {
 
 using Answers = std::function<std::string(const protocols::PlannedTrial&)>;
 
-/// The answers of the project's typical simulated observer to one participant's trials; `seed`
-/// decides them. `protocol` is borrowed.
+/// The answers of the project's typical simulated observer to the trials of one session; `seed`
+/// decides them, other sessions have independent ones. `protocol` is borrowed.
 [[nodiscard]] Answers simulated_answers(const protocols::Protocol& protocol,
-                                        int participant_number,
+                                        const protocols::SessionKey& key,
                                         Seed seed);
 
 /// What is stored as the session's observer.

@@ -66,8 +66,10 @@ CueSheet::CueSheet(const StimulusLayout& layout,
       drawing_rate_{drawing_rate},
       period_{refresh_period},
       frames_{frame_count(layout, drawing_rate)} {
-  const auto to_zero =
-      from_seconds(static_cast<double>(lead_frames(layout, drawing_rate)) / drawing_rate.count());
+  // On the grid: the refresh at which the frame of time zero is due, whatever the rates.
+  const double lead_s =
+      static_cast<double>(lead_frames(layout, drawing_rate)) / drawing_rate.count();
+  const Duration to_zero = std::int64_t{std::llround(lead_s / seconds(period_))} * period_;
   if (layout.has_sound) {
     const auto sound_before_first = layout.sound_lead - layout.av_offset - to_zero;
     earliest = std::max(earliest, earliest_sound + sound_before_first);

@@ -48,7 +48,7 @@ class CueSheet {
 
   [[nodiscard]] Instant first_refresh() const { return first_refresh_; }
 
-  /// When the recording's time zero is to be seen, and when it is to be heard.
+  /// When the recording's time zero is to be seen (a refresh), and when it is to be heard.
   [[nodiscard]] Instant visual_zero() const { return visual_zero_; }
 
   [[nodiscard]] Instant auditory_zero() const { return visual_zero_ + layout_.av_offset; }

@@ -69,6 +69,7 @@ StoredSession session_from(const Statement& row) {
   session.refresh_deviation = row.duration(21);
   session.refresh_count = static_cast<int>(row.integer(22));
   stored.planned_trials = static_cast<int>(row.integer(23));
+  stored.shortened = row.integer(24) != 0;
   return stored;
 }
 
@@ -164,7 +165,8 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
       " seed, program_version, simulated_answers, simulated_time, observer, started_utc, outcome,"
       " display_kind, display_description, display_time_source, audio_kind, audio_description,"
       " audio_time_source, refresh_period_ns, refresh_deviation_ns, refresh_count,"
-      " (SELECT count(*) FROM plan WHERE plan.session = session.session)"
+      " (SELECT count(*) FROM plan WHERE plan.session = session.session),"
+      " EXISTS (SELECT 1 FROM event WHERE event.session = session.session AND kind = 'shortened')"
       " FROM session JOIN protocol ON sha256 = protocol_sha256 ORDER BY session"};
   while (session_row.step()) {
     position[session_row.integer(0)] = sessions.size();

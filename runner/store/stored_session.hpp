@@ -19,6 +19,7 @@ struct StoredSession {
   std::string outcome;              ///< "complete", "stopped", or "" if it was interrupted
   std::vector<StoredTrial> trials;  ///< in order of presentation
   int planned_trials = 0;
+  bool shortened = false;  ///< by --trials or --no-practice
 };
 
 /// How much of each trial to read; refreshes and keystrokes are most of the bytes.

@@ -26,7 +26,10 @@ constexpr Duration kFade = std::chrono::milliseconds{5};
 constexpr Duration kLongestStart = std::chrono::seconds{3};
 constexpr Duration kLostAfter = std::chrono::seconds{1};
 constexpr Duration kMargin = std::chrono::milliseconds{5};
-constexpr std::size_t kStartReadings = 64;
+constexpr Duration kSettling = std::chrono::milliseconds{100};
+constexpr Duration kStartSpan = std::chrono::milliseconds{500};
+constexpr std::size_t kFewestReadings = 16;
+constexpr std::size_t kStartReadings = 64;  ///< suffice, however short their span
 constexpr std::size_t kRing = 1024;
 
 /// CLOCK_MONOTONIC. Safe in the audio callback: no lock, no system call (vDSO).
@@ -67,6 +70,7 @@ struct PortaudioOutput::Stream {
   void await_clock();
   void collect();
   void add(const Reading& reading);
+  void follow_onset(std::int64_t sample);
   void take_reports();
   void post(const MixerCommand& command);
 
@@ -90,6 +94,7 @@ struct PortaudioOutput::Stream {
   std::uint64_t present = 0;  ///< number of the last scheduled sound; 0: none
   Playback playback;
   bool started = false;
+  bool onset_settled = false;
 };
 
 PortaudioOutput::Stream::Stream(const PortaudioOptions& options)
@@ -110,6 +115,10 @@ PortaudioOutput::Stream::Stream(const PortaudioOptions& options)
 }
 
 PortaudioOutput::Stream::~Stream() {
+  if (playback.lost) {
+    session.abandon();  // PortAudio would wait for ever for a sound server that is gone
+    return;
+  }
   const SilencedStderr quiet;
   Pa_AbortStream(stream);  // after it, the callback does not run
   Pa_CloseStream(stream);
@@ -171,7 +180,12 @@ int PortaudioOutput::Stream::callback(const void* /*input*/,
 
 void PortaudioOutput::Stream::await_clock() {
   const auto deadline = monotonic_now() + kLongestStart;
-  while (first_times.size() < kStartReadings) {
+  const auto enough = [this] {
+    return first_times.size() >= kStartReadings ||
+           (first_times.size() >= kFewestReadings &&
+            first_times.back().entry - first_times.front().entry >= kStartSpan);
+  };
+  while (!enough()) {
     if (monotonic_now() > deadline) {
       throw DeviceError{
           fmt::format("cannot use the sound output '{}': it asked for only {} buffers of samples "
@@ -207,12 +221,20 @@ void PortaudioOutput::Stream::add(const Reading& reading) {
                            latency));
 }
 
+/// The onset follows the clock until a tenth of a second has been played. What happens to the
+/// stream later, such as a lost buffer, moves the clock but not what has been heard.
+void PortaudioOutput::Stream::follow_onset(std::int64_t sample) {
+  if (!started || onset_settled) return;
+  playback.onset = clock.fit()->instant_of(playback.start_sample);
+  onset_settled = sample >= playback.start_sample + nearest_sample(kSettling, rate).count();
+}
+
 /// Takes what the callback has left since the last time.
 void PortaudioOutput::Stream::collect() {
-  while (const auto reading = times.try_pop()) add(*reading);
   take_reports();
-  if (started && !playback.finished) {
-    playback.onset = clock.fit()->instant_of(playback.start_sample);
+  while (const auto reading = times.try_pop()) {
+    add(*reading);
+    follow_onset(reading->sample);
   }
   if (monotonic_now() - last_reading > kLostAfter) playback.lost = playback.finished = true;
 }
@@ -223,6 +245,7 @@ void PortaudioOutput::Stream::take_reports() {
       if (report->sound != present) continue;
       started = true;
       playback.start_sample = report->at;
+      onset_settled = false;
       playback.onset = clock.fit()->instant_of(report->at);
       continue;
     }
@@ -230,7 +253,6 @@ void PortaudioOutput::Stream::take_reports() {
     if (report->sound != present) continue;
     playback.finished = true;
     playback.underflows = report->underflows;
-    if (started) playback.onset = clock.fit()->instant_of(playback.start_sample);
   }
 }
 
@@ -258,6 +280,12 @@ void PortaudioOutput::schedule(const Sound& sound, Instant onset) {
   require_playable(sound, stream_->rate);
   auto& stream = *stream_;
   stream.collect();
+  if (stream.playback.lost) {
+    throw DeviceError{fmt::format(
+        "the sound output '{}' has stopped asking for samples; check it and begin the session "
+        "again by --again",
+        describe(stream.device))};
+  }
   const auto number = stream.present + 1;
   stream.post({.kind = MixerCommand::Kind::Start,
                .sound = number,

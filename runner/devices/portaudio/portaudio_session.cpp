@@ -68,6 +68,7 @@ PortaudioSession::PortaudioSession() {
 }
 
 PortaudioSession::~PortaudioSession() {
+  if (abandoned_) return;
   const SilencedStderr quiet;
   Pa_Terminate();
 }

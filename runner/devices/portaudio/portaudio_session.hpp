@@ -48,8 +48,12 @@ class PortaudioSession {
   /// Those with outputs, in PortAudio's order.
   [[nodiscard]] const std::vector<AudioDevice>& devices() const { return devices_; }
 
+  /// Leaves PortAudio as it is at the end: for when its sound server is gone.
+  void abandon() { abandoned_ = true; }
+
  private:
   std::vector<AudioDevice> devices_;
+  bool abandoned_ = false;
 };
 
 /// The device meant by an index, a whole name or a part of a name (the first that has it); empty

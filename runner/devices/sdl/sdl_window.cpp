@@ -46,6 +46,7 @@ SdlWindow::~SdlWindow() {
 void SdlWindow::open() {
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   SDL_SetHint(SDL_HINT_VIDEO_MINIMIZE_ON_FOCUS_LOSS, "0");
+  SDL_SetHint(SDL_HINT_VIDEO_DOUBLE_BUFFER, "1");  // else KMSDRM returns before the refresh
   // Where both are there, not through XWayland: that hides the refreshes. Never one without screen.
   // (Without a runtime folder there is no Wayland, and its library would complain.)
   const bool may_have_wayland = std::getenv("XDG_RUNTIME_DIR") != nullptr;

@@ -40,10 +40,13 @@ TEST_F(ScoreWords, JudgesWordsBySpellingAndSound) {
   EXPECT_EQ(answer("two", "T UW", " . ").verdict, Verdict::Omission);
   EXPECT_EQ(answer("can't", "K AE N T", "can\xe2\x80\x99t").verdict, Verdict::Correct);
   EXPECT_EQ(answer("well", "W EH L", "we'll").verdict, Verdict::Wrong);
+  EXPECT_EQ(answer("don't", "D OW N T", "dont").verdict, Verdict::Correct);
 }
 
-TEST_F(ScoreWords, TakesAnyPronunciationOfBothSpellingsForHomophones) {
-  EXPECT_EQ(answer("read", "R IY D", "red").verdict, Verdict::Homophone);
+TEST_F(ScoreWords, TakesForHomophonesWhatSoundsAsWasPresented) {
+  EXPECT_EQ(answer("read", "R EH D", "red").verdict, Verdict::Homophone);
+  EXPECT_EQ(answer("read", "R IY D", "red").verdict, Verdict::Wrong);
+  EXPECT_EQ(answer("read", "R EH D", "read").verdict, Verdict::Correct);
   EXPECT_EQ(answer("read", "R IY D", "reed").verdict, Verdict::Homophone);
   EXPECT_EQ(answer("lead", "L IY D", "red").verdict, Verdict::Wrong);
 }
@@ -54,9 +57,10 @@ TEST_F(ScoreWords, TakesThePresentedPhonesEvenIfTheDictionaryHasOthers) {
 }
 
 TEST_F(ScoreWords, GivesEveryPhoneOfACorrectWordAsPresented) {
-  const auto scored = answer("read", "R IY D", "red");  // a homophone by "read" R EH D
+  const auto scored = answer("lead", "R IY D", "read");  // a homophone by its second pronunciation
   EXPECT_EQ(scored.phones_correct, 3);
   EXPECT_EQ(unit(scored, Unit::Vowel).answer, Phone::IY);
+  EXPECT_EQ(unit(answer("read", "R IY D", "red"), Unit::Vowel).answer, Phone::EH);
 }
 
 TEST_F(ScoreWords, ScoresThePhonesOfAWrongWord) {

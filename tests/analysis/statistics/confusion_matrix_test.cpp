@@ -42,13 +42,13 @@ TEST(CompareErrors, CorrelatesOffDiagonalRowProportions) {
   fill(one, "B", {4, 4, 2, 0});
   fill(other, "P", {2, 2, 0, 0});
   fill(other, "B", {3, 6, 1, 0});
-  // Cells P>B P>M B>P B>M: .3 .1 .4 .2 and .5 0 .3 .1.
-  // R: cor(c(.3,.1,.4,.2), c(.5,0,.3,.1)) = 0.7568893; sqrt(mean((x-y)^2)) = 0.1322876
+  // Cells P>B P>M B>P B>M: 3/9 1/9 .4 .2 and .5 0 .3 .1.
+  // R: cor(c(3/9,1/9,.4,.2), c(.5,0,.3,.1)) = 0.8284052; sqrt(mean((x-y)^2)) = 0.1226004
   const auto likeness = compare_errors(one, other, {"blank"});
   EXPECT_EQ(likeness.cells, 4U);
   EXPECT_EQ(likeness.cells_used, 4U);
-  EXPECT_NEAR(likeness.correlation.value(), 0.7568893, 1e-6);
-  EXPECT_NEAR(likeness.rms_deviation.value(), 0.1322876, 1e-6);
+  EXPECT_NEAR(likeness.correlation.value(), 0.8284052, 1e-6);
+  EXPECT_NEAR(likeness.rms_deviation.value(), 0.1226004, 1e-6);
 }
 
 TEST(CompareErrors, IsAbsentWithoutErrorsOrCommonRows) {
@@ -58,9 +58,24 @@ TEST(CompareErrors, IsAbsentWithoutErrorsOrCommonRows) {
   EXPECT_EQ(compare_errors(one, other).rms_deviation, std::nullopt);
   one.add("P", "P");
   other.add("P", "P");
-  EXPECT_EQ(compare_errors(one, other).cells, 1U);
+  EXPECT_EQ(compare_errors(one, other).cells, 0U);  // nobody met or answered B
+  one.add("B", "B");
+  other.add("B", "B");
+  EXPECT_EQ(compare_errors(one, other).cells, 2U);
   EXPECT_EQ(compare_errors(one, other).correlation, std::nullopt);
   EXPECT_EQ(compare_errors(one, other).rms_deviation, 0.0);
+}
+
+TEST(CompareErrors, DoesNotDependOnBlanksOrOnThirdConditions) {
+  ConfusionMatrix one{{"P"}, {"P", "B", "M", "blank"}};
+  ConfusionMatrix other = one;  // M is answered in neither
+  for (int i = 0; i < 2; ++i) {
+    one.add("P", "P");
+    one.add("P", "B");
+  }
+  for (const auto* response : {"P", "B", "blank", "blank"}) other.add("P", response);
+  EXPECT_EQ(compare_errors(one, other, {"blank"}).cells, 1U);
+  EXPECT_EQ(compare_errors(one, other, {"blank"}).rms_deviation, 0.0);
 }
 
 }  // namespace

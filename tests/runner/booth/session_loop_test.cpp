@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "runner/devices/device_error.hpp"
 #include "runner/devices/simulated/simulated_audio.hpp"
 #include "runner/devices/simulated/simulated_display.hpp"
 #include "runner/devices/simulated/simulated_keyboard.hpp"
@@ -198,7 +199,7 @@ TEST_F(SessionLoopTest, ReportsTheOnsetOfTheFrameOfTimeZeroHoweverLittleTheRates
   const auto& visual = store_.trials.at(0).onsets.at(0);
   ASSERT_EQ(visual.modality, "visual");
   const Duration error = *visual.reported - visual.planned;
-  EXPECT_NEAR(std::chrono::duration<double>(error).count(), 30.0 / 60.01 - 0.5, 1e-6);
+  EXPECT_NEAR(std::chrono::duration<double>(error).count(), 0.0, 1e-6);
 }
 
 TEST_F(SessionLoopTest, StatesTheAudioVisualOffsetAsAudioMinusVisual) {
@@ -225,6 +226,57 @@ TEST_F(SessionLoopTest, FlagsATrialWhoseFramesWereLateAndSaysHowMany) {
   ASSERT_EQ(trial.events.size(), 1U);
   EXPECT_EQ(trial.events[0].kind, "late_frame");
   EXPECT_EQ(trial.refreshes.frame.size(), 99U);  // three left out rather than shown late
+}
+
+TEST_F(SessionLoopTest, TellsTheOnsetOfTimeZeroAlsoIfItsFrameWasLeftOut) {
+  int frames = 0;
+  display_.observe([&](const Screen& screen, const Presentation&) {
+    if (screen.captions.empty() && !screen.fixation && ++frames == 29) display_.drop_next(1);
+  });
+  static_cast<void>(run(1));
+  const auto& trial = store_.trials.at(0);
+  ASSERT_EQ(std::ranges::count(trial.refreshes.frame, 30), 0);
+  ASSERT_EQ(std::ranges::count(trial.refreshes.frame, 31), 1);
+  const Duration error = *trial.onsets.at(0).reported - trial.onsets.at(0).planned;
+  EXPECT_LT(std::chrono::abs(error), 1us);
+  EXPECT_TRUE(trial.flagged);
+}
+
+/// Loses its device with the first sound.
+class LostAudio final : public AudioOutput {
+ public:
+  void schedule(const Sound& /*sound*/, Instant /*onset*/) override {}
+
+  void stop() override {}
+
+  [[nodiscard]] Playback playback() override { return {.finished = true, .lost = true}; }
+
+  [[nodiscard]] Duration lead_time() const override { return {}; }
+
+  [[nodiscard]] Hertz rate() const override { return Hertz{48'000}; }
+
+  [[nodiscard]] std::string kind() const override { return "portaudio"; }
+
+  [[nodiscard]] std::string description() const override { return "lost"; }
+
+  [[nodiscard]] std::string_view time_source() const override { return "stream_time"; }
+};
+
+TEST_F(SessionLoopTest, StoresNoTrialWhoseSoundWasLost) {
+  plan_ = plan_of(2);
+  LostAudio lost;
+  SimulatedKeyboard typist{clock_};
+  StoreWriter writer{store_};
+  const SessionParts parts{
+      .protocol = protocol_,
+      .plan = plan_,
+      .booth = {clock_, display_, typist, lost},
+      .trials = trials_,
+      .store = writer,
+      .begin = [](const RefreshEstimate&) { return std::int64_t{7}; },
+      .answer = [](const protocols::PlannedTrial&) { return std::string{"stew"}; }};
+  EXPECT_THROW(static_cast<void>(run_session(parts)), DeviceError);
+  EXPECT_THAT(store_.trials, testing::IsEmpty());
 }
 
 TEST_F(SessionLoopTest, DoesNotFlagATrialWithoutFaceForALateFixationMark) {

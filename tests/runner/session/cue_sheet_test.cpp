@@ -43,7 +43,7 @@ TEST(CueSheet, LetsSoundAndPictureMeetAtTheRecordingsTimeZero) {
   const CueSheet cues{layout(), Hertz{60}, kPeriod, Instant{}, Instant{1s}, Instant{}};
   EXPECT_EQ(cues.auditory_zero(), cues.visual_zero());
   EXPECT_EQ(cues.sound_onset(), cues.visual_zero() - 500ms);
-  EXPECT_EQ(cues.visual_zero() - cues.first_refresh(), 500ms);
+  EXPECT_EQ(cues.visual_zero(), cues.refresh(30));  // 500 ms later, to the refresh
 }
 
 TEST(CueSheet, APositiveOffsetDelaysTheSound) {
