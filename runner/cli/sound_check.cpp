@@ -88,11 +88,11 @@ std::vector<Diagnostic> check_sounds(const protocols::ReadProtocol& read,
   const JsonLines lines{read.text};
   std::vector<Diagnostic> diagnostics;
   const auto find = [&](Severity severity, std::size_t condition, std::string finding) {
-    auto pointer = fmt::format("/conditions/{}", condition);
+    const auto pointer = fmt::format("/conditions/{}", condition);
     diagnostics.push_back({.severity = severity,
                            .file = file,
                            .line = lines.line_of(pointer),
-                           .pointer = std::move(pointer),
+                           .pointer = pointer,
                            .finding = std::move(finding)});
   };
   std::map<std::size_t, Clipping> clippings;

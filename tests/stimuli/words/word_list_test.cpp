@@ -48,8 +48,9 @@ TEST(WordList, ReadsWordsInTheirOrder) {
 TEST(WordList, NamesTheLineWhereJsonEnds) {
   const auto [list, messages] = read("{\"words\": [\n  {\"word\" \"stew\"}\n]}");
   EXPECT_THAT(list.words, IsEmpty());
-  EXPECT_THAT(messages,
-              ElementsAre(AllOf(HasSubstr("words.json:2: not JSON: "), HasSubstr("comma is missing"))));
+  EXPECT_THAT(
+      messages,
+      ElementsAre(AllOf(HasSubstr("words.json:2: not JSON: "), HasSubstr("comma is missing"))));
 }
 
 TEST(WordList, ReportsAllMistakesAtOnceAndKeepsWhatIsRight) {
