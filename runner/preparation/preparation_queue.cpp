@@ -19,9 +19,11 @@ void yield_to_presentation() {
 
 PreparationQueue::PreparationQueue(std::vector<protocols::PlannedTrial> plan,
                                    std::function<Prepare()> make_prepare,
-                                   std::size_t ahead)
+                                   std::size_t ahead,
+                                   Priority priority)
     : ahead_{ahead},
-      thread_{[this, plan = std::move(plan), make_prepare = std::move(make_prepare)] {
+      thread_{[this, priority, plan = std::move(plan), make_prepare = std::move(make_prepare)] {
+        if (priority == Priority::Yielding) yield_to_presentation();
         work(plan, make_prepare);
       }} {}
 
@@ -84,7 +86,6 @@ void PreparationQueue::add(PreparedTrial trial) {
 
 void PreparationQueue::work(const std::vector<protocols::PlannedTrial>& plan,
                             const std::function<Prepare()>& make_prepare) {
-  yield_to_presentation();
   try {
     const auto prepare = make_prepare();
     for (const auto& trial : plan) {

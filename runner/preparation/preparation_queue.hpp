@@ -19,10 +19,17 @@ class PreparationQueue final : public TrialSource {
   /// Prepares one trial; made and called on the queue's own thread (OpenGL contexts belong to it).
   using Prepare = std::function<PreparedTrial(const protocols::PlannedTrial&, const Checkpoint&)>;
 
+  /// Whether preparing gives way to everything else on the machine (niceness 10), as it must beside
+  /// a real presentation.
+  enum class Priority { Yielding, Equal };
+
+  static constexpr std::size_t kAhead = 3;
+
   /// At most `ahead` prepared trials are kept.
   PreparationQueue(std::vector<protocols::PlannedTrial> plan,
                    std::function<Prepare()> make_prepare,
-                   std::size_t ahead = 3);
+                   std::size_t ahead = kAhead,
+                   Priority priority = Priority::Yielding);
   ~PreparationQueue() override;
   PreparationQueue(const PreparationQueue&) = delete;
   PreparationQueue& operator=(const PreparationQueue&) = delete;

@@ -13,7 +13,10 @@ class TimelessTrials final : public TrialSource {
  public:
   TimelessTrials(std::vector<protocols::PlannedTrial> plan,
                  std::function<PreparationQueue::Prepare()> make_prepare)
-      : queue_{std::move(plan), std::move(make_prepare)} {}
+      : queue_{std::move(plan),
+               std::move(make_prepare),
+               PreparationQueue::kAhead,
+               PreparationQueue::Priority::Equal} {}
 
   [[nodiscard]] bool ready() override { return true; }
 

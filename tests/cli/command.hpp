@@ -118,6 +118,16 @@ inline Ended run_command(const std::filesystem::path& folder,
   return StartedCommand{folder, program, arguments, environment}.end();
 }
 
+/// The arguments of a session without window and person; `more` comes last.
+inline std::vector<std::string> unattended_run(const std::string& protocol,
+                                               const std::vector<std::string>& more,
+                                               const std::string& audio = "none") {
+  std::vector<std::string> arguments{
+      "run", protocol, "--display", "headless", "--audio", audio, "--answers", "simulated"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 inline void PrintTo(const Ended& run, std::ostream* out) {
   *out << "exit code " << run.exit_code << "\n" << run.output;
 }

@@ -31,20 +31,8 @@ constexpr const char* kProtocol = R"({
 )";
 
 std::vector<std::string> run_of(const std::string& participant, const std::string& trials) {
-  return {"run",
-          "six.json",
-          "--display",
-          "headless",
-          "--audio",
-          "none",
-          "--answers",
-          "simulated",
-          "--data",
-          "x.sqlite",
-          "--participant",
-          participant,
-          "--trials",
-          trials};
+  return unattended_run("six.json",
+                        {"--data", "x.sqlite", "--participant", participant, "--trials", trials});
 }
 
 TEST(Interruption, OfAProcessLosesNoAnsweredTrial) {
