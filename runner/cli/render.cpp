@@ -72,8 +72,8 @@ synth::View view_of(const RenderOptions& options) {
 }
 
 /// Pictures side by side.
-synth::Image beside(const std::vector<synth::Image>& pictures) {
-  synth::Image strip{.height = pictures.front().height};
+Image beside(const std::vector<Image>& pictures) {
+  Image strip{.height = pictures.front().height};
   for (const auto& picture : pictures) strip.width += picture.width;
   strip.pixels.reserve(strip.width * strip.height * 4);
   for (std::size_t row = 0; row < strip.height; ++row) {
@@ -91,7 +91,7 @@ void write_strip(const RenderOptions& options,
                  const Utterance& utterance,
                  const synth::Articulation& articulation,
                  synth::HeadRenderer& renderer) {
-  std::vector<synth::Image> pictures;
+  std::vector<Image> pictures;
   for (const auto& timed : utterance.phones) {
     const auto centre = timed.start + timed.duration / 2;
     renderer.draw(articulation.at(centre), pictures.emplace_back());
@@ -99,7 +99,7 @@ void write_strip(const RenderOptions& options,
                symbol(timed.phone),
                std::chrono::duration<double, std::milli>{centre}.count());
   }
-  synth::write_png(beside(pictures), options.strip);
+  write_png(beside(pictures), options.strip);
   fmt::print("{}: {} pictures, one at the centre of each phone\n", options.strip, pictures.size());
 }
 
@@ -108,10 +108,10 @@ void write_frames(const RenderOptions& options,
                   synth::HeadRenderer& renderer) {
   std::filesystem::create_directories(options.frames);
   const auto poses = articulation.sample(Hertz{options.rate_hz});
-  synth::Image image;
+  Image image;
   for (std::size_t frame = 0; frame < poses.size(); ++frame) {
     renderer.draw(poses[frame], image);
-    synth::write_png(image,
+    write_png(image,
                      std::filesystem::path{options.frames} / fmt::format("frame{:04}.png", frame));
   }
   fmt::print("{}: {} frames at {:g} frames/s\n", options.frames, poses.size(), options.rate_hz);

@@ -19,7 +19,7 @@ class TalkingFace final : public FrameSource {
   TalkingFace(synth::HeadRenderer& renderer, synth::Articulation articulation)
       : renderer_{renderer}, articulation_{std::move(articulation)} {}
 
-  void paint(Duration time, synth::Image& image) override {
+  void paint(Duration time, Image& image) override {
     renderer_.draw(articulation_.at(time), image);
   }
 

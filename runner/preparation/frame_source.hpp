@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "runner/session/cue_sheet.hpp"
-#include "synth/render/image.hpp"
+#include "stimuli/picture/image.hpp"
 
 namespace bimodal::runner {
 
@@ -21,12 +21,12 @@ class FrameSource {
   virtual ~FrameSource() = default;
 
   /// Draws what is seen at `time` since the recording's time zero, 0 <= time <= its length.
-  virtual void paint(Duration time, synth::Image& image) = 0;
+  virtual void paint(Duration time, Image& image) = 0;
 };
 
 /// A prepared sequence of frames. Still parts share one picture.
 struct Film {
-  std::vector<synth::Image> pictures;
+  std::vector<Image> pictures;
   std::vector<std::size_t> picture_of_frame;
 };
 

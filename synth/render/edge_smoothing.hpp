@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "synth/render/image.hpp"
+#include "stimuli/picture/image.hpp"
 
 namespace bimodal::synth {
 

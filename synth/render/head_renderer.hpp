@@ -4,7 +4,7 @@
 #include <string>
 
 #include "synth/face/head.hpp"
-#include "synth/render/image.hpp"
+#include "stimuli/picture/image.hpp"
 #include "synth/render/view.hpp"
 
 namespace bimodal::synth {

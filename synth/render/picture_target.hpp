@@ -3,7 +3,7 @@
 #include <epoxy/gl.h>
 
 #include "synth/render/edge_smoothing.hpp"
-#include "synth/render/image.hpp"
+#include "stimuli/picture/image.hpp"
 
 namespace bimodal::synth {
 

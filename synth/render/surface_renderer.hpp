@@ -8,7 +8,7 @@
 
 #include "synth/face/surface.hpp"
 #include "synth/render/egl_context.hpp"
-#include "synth/render/image.hpp"
+#include "stimuli/picture/image.hpp"
 #include "synth/render/view.hpp"
 
 namespace bimodal::synth {

@@ -1,4 +1,4 @@
-#include "synth/render/image.hpp"
+#include "stimuli/picture/image.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "stimuli/base/error.hpp"
 
-namespace bimodal::synth {
+namespace bimodal {
 
 namespace {
 
@@ -81,4 +81,4 @@ Image read_png(const std::filesystem::path& file) {
   return image;
 }
 
-}  // namespace bimodal::synth
+}  // namespace bimodal

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace bimodal::synth {
+namespace bimodal {
 
 /// A picture: rows from the top, 4 bytes a pixel (red, green, blue, opaque), sRGB.
 struct Image {
@@ -21,4 +21,4 @@ void write_png(const Image& image, const std::filesystem::path& file);
 /// missing, damaged, larger than 16384 x 16384 pixels, or partly transparent.
 [[nodiscard]] Image read_png(const std::filesystem::path& file);
 
-}  // namespace bimodal::synth
+}  // namespace bimodal

@@ -1,4 +1,4 @@
-#include "synth/render/image.hpp"
+#include "stimuli/picture/image.hpp"
 
 #include <array>
 #include <fstream>
@@ -10,7 +10,7 @@
 
 #include "stimuli/base/error.hpp"
 
-namespace bimodal::synth {
+namespace bimodal {
 namespace {
 
 using testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST_F(PictureFile, ThatCannotBeWrittenIsNamed) {
 }
 
 }  // namespace
-}  // namespace bimodal::synth
+}  // namespace bimodal
