@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "protocols/reading/object_reader.hpp"
-#include "protocols/reading/obstacle.hpp"
+#include "stimuli/base/object_reader.hpp"
+#include "stimuli/base/obstacle.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/json_text.hpp"

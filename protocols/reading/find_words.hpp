@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "protocols/reading/findings.hpp"
+#include "stimuli/base/findings.hpp"
 #include "protocols/reading/structure.hpp"
 #include "stimuli/words/dictionary.hpp"
 #include "stimuli/words/word_list.hpp"

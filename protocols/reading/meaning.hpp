@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "protocols/model/protocol.hpp"
-#include "protocols/reading/findings.hpp"
+#include "stimuli/base/findings.hpp"
 #include "stimuli/words/word_list.hpp"
 
 namespace bimodal::protocols {

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "protocols/reading/find_words.hpp"
-#include "protocols/reading/findings.hpp"
+#include "stimuli/base/findings.hpp"
 #include "protocols/reading/meaning.hpp"
-#include "protocols/reading/obstacle.hpp"
+#include "stimuli/base/obstacle.hpp"
 #include "protocols/reading/structure.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
@@ -19,14 +19,6 @@
 namespace bimodal::protocols {
 
 namespace {
-
-void refuse_duplicates(const JsonLines& lines, Findings& findings) {
-  for (const auto& duplicate : lines.duplicates()) {
-    findings.error(duplicate.pointer,
-                   fmt::format("the same key is already on line {}", duplicate.earlier_line),
-                   "remove one of them");
-  }
-}
 
 /// The words that the protocol asks for, put where they belong.
 void find_words(const Structure& structure, WordFinder& finder, ReadProtocol& read) {
@@ -40,19 +32,6 @@ void find_words(const Structure& structure, WordFinder& finder, ReadProtocol& re
     read.practice = finder.find(*structure.practice);
     for (const auto& word : read.practice) read.protocol.practice.words.push_back(word.spelling);
   }
-}
-
-/// The findings with file and line, in the order of the lines.
-std::vector<Diagnostic> located(const Findings& findings,
-                                const JsonLines& lines,
-                                const std::string& file) {
-  auto diagnostics = findings.all();
-  for (auto& diagnostic : diagnostics) {
-    diagnostic.file = file;
-    diagnostic.line = lines.line_of(diagnostic.pointer);
-  }
-  std::ranges::stable_sort(diagnostics, {}, &Diagnostic::line);
-  return diagnostics;
 }
 
 }  // namespace
@@ -71,7 +50,7 @@ ReadProtocol read_protocol_text(std::string text,
   }
   const JsonLines lines{read.text};
   Findings findings;
-  refuse_duplicates(lines, findings);
+  findings.refuse_duplicates(lines);
   auto structure = read_structure(std::get<nlohmann::json>(parsed), findings);
   read.protocol = structure.protocol;
 
@@ -80,7 +59,7 @@ ReadProtocol read_protocol_text(std::string text,
   find_words(structure, finder, read);
   judge_meaning(read.protocol, read.words.words, read.practice, findings);
 
-  read.diagnostics = located(findings, lines, file.string());
+  read.diagnostics = findings.located(lines, file.string());
   const auto& of_lists = finder.list_findings();
   read.diagnostics.insert(read.diagnostics.end(), of_lists.begin(), of_lists.end());
   return read;

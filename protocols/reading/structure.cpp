@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "protocols/reading/object_reader.hpp"
+#include "stimuli/base/object_reader.hpp"
 #include "stimuli/base/json_text.hpp"
 
 namespace bimodal::protocols {

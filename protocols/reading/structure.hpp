@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/model/protocol.hpp"
-#include "protocols/reading/findings.hpp"
+#include "stimuli/base/findings.hpp"
 
 namespace bimodal::protocols {
 

@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "protocols/reading/nearest.hpp"
+#include "stimuli/base/nearest.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/devices/device_error.hpp"
 #include "runner/store/store_error.hpp"
@@ -48,7 +48,7 @@ std::string suggestion(const CLI::App& app, const std::string& typed) {
   for (const auto* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(verb->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
-  if (const auto near = bimodal::protocols::nearest(typed, known)) {
+  if (const auto near = bimodal::nearest(typed, known)) {
     return fmt::format("; did you mean '{}'? See --help.", *near);
   }
   return fmt::format("; there are {} (see --help)", fmt::join(known, ", "));

@@ -1,4 +1,4 @@
-#include "protocols/reading/obstacle.hpp"
+#include "stimuli/base/obstacle.hpp"
 
 #include <system_error>
 
@@ -6,7 +6,7 @@
 
 #include "stimuli/base/json_text.hpp"
 
-namespace bimodal::protocols {
+namespace bimodal {
 
 std::optional<std::string> obstacle(const std::filesystem::path& file) {
   using std::filesystem::file_type;
@@ -24,4 +24,4 @@ std::optional<std::string> obstacle(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
-}  // namespace bimodal::protocols
+}  // namespace bimodal

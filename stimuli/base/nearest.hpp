@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace bimodal::protocols {
+namespace bimodal {
 
 /// How many letters must be inserted, deleted, replaced or exchanged with their neighbour to turn
 /// one word into the other (optimal string alignment distance), in bytes.
@@ -18,4 +18,4 @@ namespace bimodal::protocols {
 [[nodiscard]] std::optional<std::string_view> nearest(std::string_view typed,
                                                       std::span<const std::string_view> known);
 
-}  // namespace bimodal::protocols
+}  // namespace bimodal

@@ -1,10 +1,10 @@
-#include "protocols/reading/nearest.hpp"
+#include "stimuli/base/nearest.hpp"
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-namespace bimodal::protocols {
+namespace bimodal {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::optional<std::string_view> nearest(std::string_view typed,
   return best;
 }
 
-}  // namespace bimodal::protocols
+}  // namespace bimodal

@@ -1,10 +1,10 @@
-#include "protocols/reading/nearest.hpp"
+#include "stimuli/base/nearest.hpp"
 
 #include <array>
 
 #include <gtest/gtest.h>
 
-namespace bimodal::protocols {
+namespace bimodal {
 namespace {
 
 constexpr std::array<std::string_view, 5> kKeys{
@@ -40,4 +40,4 @@ TEST(Nearest, SaysNothingWhereNothingIsNear) {
 }
 
 }  // namespace
-}  // namespace bimodal::protocols
+}  // namespace bimodal

@@ -1,9 +1,11 @@
-#include "protocols/reading/findings.hpp"
+#include "stimuli/base/findings.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace bimodal::protocols {
+#include <fmt/format.h>
+
+namespace bimodal {
 
 namespace {
 
@@ -37,4 +39,22 @@ bool Findings::faulty(std::string_view pointer) const {
   });
 }
 
-}  // namespace bimodal::protocols
+void Findings::refuse_duplicates(const JsonLines& lines) {
+  for (const auto& duplicate : lines.duplicates()) {
+    error(duplicate.pointer,
+          fmt::format("the same key is already on line {}", duplicate.earlier_line),
+          "remove one of them");
+  }
+}
+
+std::vector<Diagnostic> Findings::located(const JsonLines& lines, const std::string& file) const {
+  auto diagnostics = all_;
+  for (auto& diagnostic : diagnostics) {
+    diagnostic.file = file;
+    diagnostic.line = lines.line_of(diagnostic.pointer);
+  }
+  std::ranges::stable_sort(diagnostics, {}, &Diagnostic::line);
+  return diagnostics;
+}
+
+}  // namespace bimodal

@@ -1,4 +1,4 @@
-#include "protocols/reading/object_reader.hpp"
+#include "stimuli/base/object_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "protocols/reading/nearest.hpp"
 #include "stimuli/base/json_lines.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/base/nearest.hpp"
 
-namespace bimodal::protocols {
+namespace bimodal {
 
 namespace {
 
@@ -250,4 +250,4 @@ void ObjectReader::refuse_unknown_keys() {
   }
 }
 
-}  // namespace bimodal::protocols
+}  // namespace bimodal

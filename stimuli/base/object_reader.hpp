@@ -11,10 +11,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/reading/findings.hpp"
+#include "stimuli/base/findings.hpp"
 #include "stimuli/base/quantity.hpp"
 
-namespace bimodal::protocols {
+namespace bimodal {
 
 /// What a number may be; `meaning` completes the remedy "give ...".
 struct NumberRule {
@@ -101,4 +101,4 @@ class ObjectReader {
   std::vector<std::string_view> known_;
 };
 
-}  // namespace bimodal::protocols
+}  // namespace bimodal
