@@ -7,11 +7,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "stimuli/base/nearest.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/devices/device_error.hpp"
 #include "runner/store/store_error.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/nearest.hpp"
 
 namespace {
 
