@@ -43,13 +43,15 @@ std::string_view take_word(std::string_view& text) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  if (text.size() <= kLongest) return fmt::format("\"{}\"", text);
   const auto continues_character = [&](std::size_t at) {
     return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
   };
-  std::size_t end = kLongest;
-  while (end > 0 && continues_character(end)) --end;
-  return fmt::format("\"{}...\"", text.substr(0, end));
+  std::size_t end = std::min(kLongest, text.size());
+  while (end > 0 && end < text.size() && continues_character(end)) --end;
+  std::string shown{text.substr(0, end)};
+  const auto is_control = [](unsigned char letter) { return letter < 0x20U || letter == 0x7FU; };
+  std::ranges::replace_if(shown, is_control, ' ');
+  return fmt::format("\"{}{}\"", shown, end < text.size() ? "..." : "");
 }
 
 std::optional<std::string_view> LineReader::next() {

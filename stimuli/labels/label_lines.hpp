@@ -26,7 +26,8 @@ struct LabelLine {
 /// with the next word.
 std::string_view take_word(std::string_view& text);
 
-/// A part of a text for a message: at most about 40 bytes, in quotation marks.
+/// A part of a text for a message: at most about 40 bytes, in quotation marks, control
+/// characters as blanks.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// The lines of a text one after the other, numbered from 1.
