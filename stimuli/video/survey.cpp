@@ -33,9 +33,10 @@ struct TrackView {
   AVStream* track = nullptr;
   std::optional<TrackDecoder> decoder;
   Frame first;                      ///< empty until it is decoded
-  std::optional<Duration> start;    ///< of the first frame; of the first packet before that
+  std::optional<Duration> start;    ///< of the first frame, once it is decoded
   std::optional<Duration> end;      ///< the latest end of a packet
   std::optional<Duration> reached;  ///< the latest time of decoding
+  std::optional<Duration> stored;   ///< the first one
   int silent_packets = 0;
   bool complete = true;
   std::vector<Duration> starts;
@@ -73,17 +74,18 @@ void note(TrackView& view, const AVPacket& packet) {
   const auto stored = duration_of(packet.dts, unit);
   if (const auto time = stored ? stored : start) {
     view.reached = std::max(view.reached.value_or(*time), *time);
+    if (!view.stored) view.stored = time;
   }
   if ((packet.flags & AV_PKT_FLAG_DISCARD) != 0) return;
-  if (!start) {
-    view.complete = false;
-    return;
-  }
-  if (!view.start && !view.decoder) view.start = start;
-  auto end = *start + std::max(duration_of(packet.duration, unit).value_or(Duration{}), Duration{});
+  if (!start) view.complete = false;
+  const auto known = start ? start : stored;
+  if (!known) return;
+  auto end = *known + std::max(duration_of(packet.duration, unit).value_or(Duration{}), Duration{});
   end -= padding_of(packet, *view.track);
   view.end = std::max(view.end.value_or(end), end);
-  if (view.track->codecpar->codec_type == AVMEDIA_TYPE_VIDEO) view.starts.push_back(*start);
+  if (start && view.track->codecpar->codec_type == AVMEDIA_TYPE_VIDEO) {
+    view.starts.push_back(*start);
+  }
 }
 
 /// Whether the starts lie on the grid of `rate` from the first on, each on the next place, but for
@@ -193,13 +195,14 @@ SoundTrack sound_of(const TrackView& view) {
 }
 
 /// From the track's start to its end: measured if all packets were seen, else as the header says.
-Duration length_of(const TrackView& view, bool whole, const AVFormatContext& format) {
+Duration length_of(const TrackView& view, bool whole, const Container& container) {
   const auto start = view.start.value_or(Duration{});
   auto end = view.end.value_or(start);
+  // Times of decoding stand for those that the container does not tell; frames are seen later.
+  if (!view.complete && view.stored) end += std::max(start - *view.stored, Duration{});
   if (!whole) {
     const auto own = duration_of(view.track->duration, view.track->time_base);
-    const auto all = duration_of(format.duration, AV_TIME_BASE_Q);
-    const auto claimed = own && *own > Duration{} ? own : all;
+    const auto claimed = own && *own > Duration{} ? own : container.claimed_length();
     if (claimed) end = std::max(end, start + *claimed);
   }
   return std::max(end - start, Duration{});
@@ -270,11 +273,11 @@ Survey survey_of(const std::filesystem::path& file, Duration until) {
   if (picture.first) {
     survey.times = times_of(picture);
     auto& track = survey.media.picture.emplace(picture_of(picture, survey, container));
-    track.length = include(picture, length_of(picture, survey.whole, container.format()));
+    track.length = include(picture, length_of(picture, survey.whole, container));
   }
   if (sound.first) {
     auto& track = survey.media.sound.emplace(sound_of(sound));
-    track.length = include(sound, length_of(sound, survey.whole, container.format()));
+    track.length = include(sound, length_of(sound, survey.whole, container));
   }
   survey.media.length = *end - survey.zero;
   if (survey.media.length > kLongestMedia) {
