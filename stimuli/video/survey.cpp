@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numeric>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -58,8 +58,9 @@ void keep_first(TrackView& view, const AVPacket* packet) {
   view.first = std::move(frame);
 }
 
-/// Samples at the packet's end that are to be thrown away.
-Duration padding_of(const AVPacket& packet, const AVStream& track) {
+/// Samples at the packet's end that are to be thrown away although its duration counts them.
+Duration padding_of(const AVPacket& packet, const AVStream& track, bool ogg) {
+  if (ogg) return {};  // whose durations do not
   constexpr std::size_t kSize = 10;
   std::size_t size = 0;
   const auto* side = av_packet_get_side_data(&packet, AV_PKT_DATA_SKIP_SAMPLES, &size);
@@ -68,7 +69,7 @@ Duration padding_of(const AVPacket& packet, const AVStream& track) {
       .value_or(Duration{});
 }
 
-void note(TrackView& view, const AVPacket& packet) {
+void note(TrackView& view, const AVPacket& packet, bool ogg) {
   const auto unit = view.track->time_base;
   const auto start = duration_of(packet.pts, unit);
   const auto stored = duration_of(packet.dts, unit);
@@ -81,7 +82,7 @@ void note(TrackView& view, const AVPacket& packet) {
   const auto known = start ? start : stored;
   if (!known) return;
   auto end = *known + std::max(duration_of(packet.duration, unit).value_or(Duration{}), Duration{});
-  end -= padding_of(packet, *view.track);
+  end -= padding_of(packet, *view.track, ogg);
   view.end = std::max(view.end.value_or(end), end);
   if (start && view.track->codecpar->codec_type == AVMEDIA_TYPE_VIDEO) {
     view.starts.push_back(*start);
@@ -217,6 +218,7 @@ void look_at(TrackView& view, AVStream* track, const std::filesystem::path& file
 /// end of the file was reached.
 bool look_through(Container& container, TrackView& picture, TrackView& sound, Duration until) {
   const auto packet = new_packet();
+  const bool ogg = std::string_view{container.format().iformat->name} == "ogg";
   bool beyond = false;
   while (!(beyond && !picture.waiting() && !sound.waiting())) {
     if (!container.read(*packet)) {
@@ -227,7 +229,7 @@ bool look_through(Container& container, TrackView& picture, TrackView& sound, Du
     auto& view =
         picture.track != nullptr && packet->stream_index == picture.track->index ? picture : sound;
     keep_first(view, packet.get());
-    note(view, *packet);
+    note(view, *packet, ogg);
     if (!view.reached || !view.start || &view != (picture.track != nullptr ? &picture : &sound)) {
       continue;
     }

@@ -83,7 +83,7 @@ TEST_P(EveryFormat, GivesTheMeanOfWhatTheFfmpegProgramDecodes) {
   ASSERT_TRUE(media.sound);
   EXPECT_EQ(media.sound->channels, static_cast<int>(format.channels));
   EXPECT_EQ(media.sound->rate, ours.rate);
-  EXPECT_NEAR(seconds(media.sound->length), seconds(ours.duration()), 0.0011);
+  EXPECT_NEAR(seconds(media.sound->length), seconds(ours.duration()), 0.002);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -152,7 +152,8 @@ INSTANTIATE_TEST_SUITE_P(
         Container{"FlacInMkv", "d.mkv", "-c:v libx264 -bf 2 -c:a flac", kMillisecond},
         Container{"AacInMp4", "e.mp4", "-c:v libx264 -bf 2 -c:a aac -b:a 192k", 0.002},
         Container{"AacInMkv", "f.mkv", "-c:v libx264 -bf 2 -c:a aac -b:a 192k", 0.002},
-        Container{"OpusInWebm", "g.webm", "-c:v libvpx-vp9 -c:a libopus -b:a 128k", 0.002},
+        // FFmpeg 5.1 writes the picture 7 ms late: it allows for the codec's delay twice.
+        Container{"OpusInWebm", "g.webm", "-c:v libvpx-vp9 -c:a libopus -b:a 128k", 0.009},
         Container{"OpusInMp4", "h.mp4", "-c:v libx264 -c:a libopus -b:a 128k -strict -2", 0.002},
         Container{"Mp2InMpeg", "i.mpg", "-c:v mpeg1video -c:a mp2 -b:a 256k", 0.002},
         Container{"Mp2InMpegTs", "j.ts", "-c:v mpeg2video -c:a mp2 -b:a 256k", 0.002}),
