@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/base/digest.hpp"
+#include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/findings.hpp"
 #include "stimuli/base/json_lines.hpp"
 #include "stimuli/base/json_text.hpp"
 #include "stimuli/base/object_reader.hpp"
 #include "stimuli/base/obstacle.hpp"
-#include "stimuli/base/written_file.hpp"
 #include "stimuli/corpus/corpus.hpp"
 
 namespace bimodal {
