@@ -23,7 +23,7 @@ constexpr int kFlags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS
 constexpr int kUnity = 1 << 16;  ///< contrast and saturation of swscale
 
 int matrix_of(const AVFrame& frame) {
-  switch (frame.colorspace) {
+  switch (number_in(frame.colorspace)) {
     case AVCOL_SPC_BT709:
       return SWS_CS_ITU709;
     case AVCOL_SPC_FCC:
@@ -45,7 +45,8 @@ int matrix_of(const AVFrame& frame) {
 }
 
 void require_plain_range(const AVFrame& frame, const std::filesystem::path& file) {
-  if (frame.color_trc != AVCOL_TRC_SMPTE2084 && frame.color_trc != AVCOL_TRC_ARIB_STD_B67) return;
+  const int curve = number_in(frame.color_trc);
+  if (curve != AVCOL_TRC_SMPTE2084 && curve != AVCOL_TRC_ARIB_STD_B67) return;
   refuse("show",
          file,
          "it is of high dynamic range (HDR), which would look washed out",
@@ -137,14 +138,16 @@ void PictureConverter::prepare_for(const AVFrame& frame) {
                        frame.height),
            "cut it there, or bring it to one size, e.g. by 'ffmpeg -i IN OUT'");
   }
-  if (scaler_ && frame.format == format_ && frame.colorspace == colour_space_ &&
-      frame.color_range == colour_range_) {
+  const int colour_space = number_in(frame.colorspace);
+  const int colour_range = number_in(frame.color_range);
+  if (scaler_ && frame.format == format_ && colour_space == colour_space_ &&
+      colour_range == colour_range_) {
     return;
   }
   require_plain_range(frame, file_);
   format_ = frame.format;
-  colour_space_ = frame.colorspace;
-  colour_range_ = frame.color_range;
+  colour_space_ = colour_space;
+  colour_range_ = colour_range;
   const bool lying = rotation_degrees_ % 180 != 0;
   scaled_ = new_frame();
   scaled_->format = AV_PIX_FMT_RGBA;
@@ -177,7 +180,7 @@ void PictureConverter::prepare_for(const AVFrame& frame) {
   }
   const auto* matrix = sws_getCoefficients(matrix_of(frame));
   constexpr int kFull = 1;
-  const int range = frame.color_range == AVCOL_RANGE_JPEG ? kFull : 0;
+  const int range = colour_range == AVCOL_RANGE_JPEG ? kFull : 0;
   // RGB has no matrix, and FFmpeg says so by an error.
   (void)sws_setColorspaceDetails(scaler_.get(), matrix, range, matrix, kFull, 0, kUnity, kUnity);
 }
