@@ -109,16 +109,23 @@ class EveryPixelFormat : public Picture, public ::testing::WithParamInterface<co
 
 TEST_P(EveryPixelFormat, BringsPlainColoursBack) {
   const std::string format = GetParam();
-  const std::string codec = format == "pal8" ? "png" : "rawvideo";
+  const std::string codec = format == "pal8"       ? "png"
+                            : format == "yuvj420p" ? "mjpeg -q:v 1"
+                                                   : "rawvideo";
+  // Made larger, then cut to an odd size: the last column would else be FFmpeg's guess.
+  const auto filter = format == "pal8"
+                          ? ",split[a][b];[a]palettegen=reserve_transparent=0[p];[b][p]paletteuse"
+                          : ",format=" + format + ",crop=321:241:0:0:exact=1";
   for (const auto& [hex, colour] : {std::pair{"C86432", Colour{200, 100, 50}},
                                     {"2040C0", Colour{32, 64, 192}},
                                     {"808080", Colour{128, 128, 128}}}) {
     const bool grey = format.starts_with("gray");
     if (grey && colour[0] != colour[2]) continue;
+    const auto* size = format == "pal8" ? "321x241" : "322x242";
     const auto file =
         made("a.nut",
-             std::string{"-f lavfi -i \"color=0x"} + hex +
-                 ":s=321x241:r=25:d=0.12,format=rgb24\" -pix_fmt " + format + " -c:v " + codec);
+             std::string{"-f lavfi -i \"color=0x"} + hex + ":s=" + size +
+                 ":r=25:d=0.12,format=rgb24" + filter + "\" -pix_fmt " + format + " -c:v " + codec);
     const auto image = first_image(file);
     EXPECT_EQ(image.width, 321U);
     EXPECT_EQ(image.height, 241U);
