@@ -1,0 +1,183 @@
+#include "stimuli/alignment/aligner.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "stimuli/alignment/acoustic_model.hpp"
+#include "stimuli/alignment/cepstra.hpp"
+#include "stimuli/alignment/edge_correction.hpp"
+#include "stimuli/alignment/search_sound.hpp"
+#include "stimuli/alignment/word_graph.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal {
+
+namespace {
+
+constexpr Duration kLongest = std::chrono::minutes{10};
+constexpr Duration kShortestPhone = CepstraMaker::kFrame * kStates;
+
+/// A frame hears 25.6 ms from its start; the edge between two lies between their centres.
+constexpr Duration kShift = (CepstraMaker::kWindow - CepstraMaker::kFrame) / 2;
+
+double milliseconds(Duration duration) {
+  return std::chrono::duration<double, std::milli>{duration}.count();
+}
+
+/// What was asked for, for messages: "\"stew\" (S T UW)".
+std::string named(std::span<const SpokenWord> words) {
+  constexpr std::size_t kShown = 6;
+  std::string text;
+  for (const auto& word : words.first(std::min(words.size(), kShown))) {
+    if (!text.empty()) text += ' ';
+    const auto phones =
+        word.pronunciations.empty() ? "no pronunciation" : spell(word.pronunciations.front());
+    text += word.spelling.empty() ? phones : fmt::format("\"{}\" ({})", word.spelling, phones);
+  }
+  if (words.size() > kShown) text += fmt::format(" ... {} words", words.size());
+  return text;
+}
+
+std::size_t fewest_phones(const SpokenWord& word) {
+  return std::ranges::min_element(word.pronunciations, {}, &Pronunciation::size)->size();
+}
+
+void refuse_impossible_words(std::span<const SpokenWord> words) {
+  if (words.empty()) throw Error{"aligning a recording: no words were given; give at least one"};
+  for (const auto& word : words) {
+    const auto faulty = [](const Pronunciation& phones) {
+      return phones.empty() || std::ranges::count(phones, Phone::Rest) > 0;
+    };
+    if (word.pronunciations.empty() || std::ranges::any_of(word.pronunciations, faulty)) {
+      throw Error{
+          fmt::format("aligning {}: a pronunciation must be at least one phone, none of "
+                      "them rest; rest is found by itself",
+                      named(words))};
+    }
+  }
+}
+
+void refuse_impossible_length(const Clip& sound, std::span<const SpokenWord> words) {
+  const auto length = sound.duration();
+  if (length > kLongest) {
+    throw Error{
+        fmt::format("aligning {}: the recording lasts {:.1f} minutes, more than {}; cut it "
+                    "into parts at pauses",
+                    named(words),
+                    milliseconds(length) / 60'000.0,
+                    kLongest / std::chrono::minutes{1})};
+  }
+  std::size_t phones = 0;
+  for (const auto& word : words) phones += fewest_phones(word);
+  if (const auto needed = kShortestPhone * phones; length < needed) {
+    throw Error{
+        fmt::format("aligning {}: the recording lasts {:.0f} ms, but {} phones need at "
+                    "least {:.0f} ms; give the whole recording, or fewer phones",
+                    named(words),
+                    milliseconds(length),
+                    phones,
+                    milliseconds(needed))};
+  }
+}
+
+/// Keeps the phones' order, rest at least empty and every other phone at least 30 ms long.
+void make_room(std::vector<TimedPhone>& phones, Duration end) {
+  std::vector<Duration> starts;
+  for (const auto& timed : phones) starts.push_back(std::clamp(timed.start, Duration{}, end));
+  const auto least = [&](std::size_t i) {
+    return phones[i].phone == Phone::Rest ? Duration{} : kShortestPhone;
+  };
+  starts.front() = Duration{};
+  starts.push_back(end);
+  for (std::size_t i = 0; i < phones.size(); ++i) {
+    starts[i + 1] = std::max(starts[i + 1], starts[i] + least(i));
+  }
+  starts.back() = end;
+  for (std::size_t i = phones.size(); i-- > 0;) {
+    starts[i] = std::min(starts[i], starts[i + 1] - least(i));
+  }
+  for (std::size_t i = 0; i < phones.size(); ++i) {
+    phones[i].start = starts[i];
+    phones[i].duration = starts[i + 1] - starts[i];
+  }
+}
+
+/// What a word's fit is computed from.
+struct WordFit {
+  std::size_t first_frame = 0;
+  std::size_t frames = 0;
+  double likelihood = 0.0;
+};
+
+}  // namespace
+
+struct Aligner::Decoder {
+  AcousticModel model{AcousticModel::installed()};
+  CepstraMaker cepstra{AcousticModel::installed() / "feat.params"};
+};
+
+Aligner::Aligner() : decoder_{std::make_unique<Decoder>()} {}
+
+Aligner::~Aligner() = default;
+Aligner::Aligner(Aligner&&) noexcept = default;
+Aligner& Aligner::operator=(Aligner&&) noexcept = default;
+
+Alignment Aligner::align(const Clip& sound, std::span<const Phone> phones) {
+  const SpokenWord word{.spelling = {}, .pronunciations = {{phones.begin(), phones.end()}}};
+  return align(sound, std::span{&word, 1});
+}
+
+Alignment Aligner::align(const Clip& sound, std::span<const SpokenWord> words) {
+  refuse_impossible_words(words);
+  refuse_impossible_length(sound, words);
+  const auto& model = decoder_->model;
+  const auto heard = search_sound(sound);
+  const auto cepstra = decoder_->cepstra.make(heard.samples);
+  const auto scores = model.score(cepstra, context_free_units(model));
+  const auto graph = graph_of(words);
+  const auto coarse = best_path(graph.nodes, scores, model);
+  if (!coarse) throw std::logic_error{"a path through a long enough recording always exists"};
+  const auto chain = chain_of(*coarse, graph, model);
+  const auto path = best_path(chain.graph.nodes, model.score(cepstra, chain.units), model);
+  if (!path) throw std::logic_error{"the coarse path has become impossible"};
+
+  Alignment made;
+  for (const auto& word : words) made.words.push_back({.spelling = word.spelling});
+  std::vector<WordFit> fits(words.size());
+  for (const auto& step : *path) {
+    const auto phone = chain.graph.nodes[step.node].phone;
+    if (const auto word = chain.graph.word[step.node]) {
+      if (made.words[*word].phones++ == 0) {
+        made.words[*word].first_phone = made.utterance.phones.size();
+        fits[*word].first_frame = step.first_frame;
+      }
+      fits[*word].frames += step.frames;
+      fits[*word].likelihood +=
+          phone_likelihood(context_free_node(phone), step.first_frame, step.frames, scores, model);
+    }
+    const auto start = static_cast<std::int64_t>(step.first_frame) * CepstraMaker::kFrame;
+    made.utterance.phones.push_back({phone, start - heard.padding + kShift, {}});
+  }
+  correct_edges(made.utterance.phones, heard);
+  make_room(made.utterance.phones, sound.duration());
+
+  std::vector<PhoneNode> any_phones;
+  for (const Phone phone : all_phones()) {
+    if (modelled(phone) == phone) any_phones.push_back(context_free_node(phone));
+  }
+  double lacking = 0.0;
+  std::size_t frames = 0;
+  for (const auto& fit : fits) {
+    const double lacks =
+        fit.likelihood - free_likelihood(any_phones, fit.first_frame, fit.frames, scores, model);
+    made.fit_of_word.push_back(lacks / static_cast<double>(fit.frames));
+    lacking += lacks;
+    frames += fit.frames;
+  }
+  made.fit = lacking / static_cast<double>(frames);
+  return made;
+}
+
+}  // namespace bimodal
