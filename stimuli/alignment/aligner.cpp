@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "stimuli/alignment/phone_search.hpp"
+#include "stimuli/alignment/acoustic_model.hpp"
+#include "stimuli/alignment/cepstra.hpp"
 #include "stimuli/alignment/search_sound.hpp"
-#include "stimuli/alignment/word_grammar.hpp"
+#include "stimuli/alignment/word_graph.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal {
@@ -15,10 +16,10 @@ namespace bimodal {
 namespace {
 
 constexpr Duration kLongest = std::chrono::minutes{10};
-constexpr Duration kShortestPhone = PhoneSearch::kFrame * PhoneSearch::kFewestFrames;
+constexpr Duration kShortestPhone = CepstraMaker::kFrame * kStates;
 
 /// A frame hears 25.6 ms from its start; the edge between two lies between their centres.
-constexpr Duration kShift = (PhoneSearch::kWindow - PhoneSearch::kFrame) / 2;
+constexpr Duration kShift = (CepstraMaker::kWindow - CepstraMaker::kFrame) / 2;
 
 double milliseconds(Duration duration) {
   return std::chrono::duration<double, std::milli>{duration}.count();
@@ -80,28 +81,6 @@ void refuse_impossible_length(const Clip& sound, std::span<const SpokenWord> wor
   }
 }
 
-/// The free path's log likelihood from its first frame to any other.
-class FreeScore {
- public:
-  explicit FreeScore(std::span<const FoundPhone> path) : path_{path} {}
-
-  /// Within a phone, the score is taken to be even.
-  [[nodiscard]] double between(std::size_t first, std::size_t end) const {
-    double sum = 0.0;
-    for (const auto& found : path_) {
-      const auto from = std::max(first, found.first_frame);
-      const auto to = std::min(end, found.first_frame + found.frames);
-      if (from >= to) continue;
-      sum +=
-          found.log_likelihood * static_cast<double>(to - from) / static_cast<double>(found.frames);
-    }
-    return sum;
-  }
-
- private:
-  std::span<const FoundPhone> path_;
-};
-
 /// Keeps the phones' order, rest at least empty and every other phone at least 30 ms long.
 void make_room(std::vector<TimedPhone>& phones, Duration end) {
   std::vector<Duration> starts;
@@ -127,7 +106,8 @@ void make_room(std::vector<TimedPhone>& phones, Duration end) {
 }  // namespace
 
 struct Aligner::Decoder {
-  PhoneSearch search;
+  AcousticModel model{AcousticModel::installed()};
+  CepstraMaker cepstra{AcousticModel::installed() / "feat.params"};
 };
 
 Aligner::Aligner() : decoder_{std::make_unique<Decoder>()} {}
@@ -145,45 +125,41 @@ Alignment Aligner::align(const Clip& sound, std::span<const SpokenWord> words) {
   refuse_impossible_words(words);
   refuse_impossible_length(sound, words);
   const auto heard = search_sound(sound);
-  const auto path = decoder_->search.best_path(grammar_of(words), heard.samples);
-  const auto read = words_on(path, words);
-  if (!read) {
-    throw Error{
-        fmt::format("aligning {}: the recording of {:.0f} ms cannot be heard as that; "
-                    "check that it is what is said, and nothing else",
-                    named(words),
-                    milliseconds(sound.duration()))};
-  }
-  const auto free = decoder_->search.free_path(heard.samples);
-  const FreeScore free_score{free};
+  const auto scores = decoder_->model.score(decoder_->cepstra.make(heard.samples));
+  const auto graph = graph_of(words);
+  const auto path = best_path(graph.nodes, scores, decoder_->model);
+  if (!path) throw std::logic_error{"an alignment of a long enough recording always exists"};
 
   Alignment made;
-  auto& phones = made.utterance.phones;
-  for (const auto& found : path) {
-    const auto start = static_cast<std::int64_t>(found.first_frame) * PhoneSearch::kFrame;
-    phones.push_back({found.token.phone, start - heard.padding + kShift, {}});
+  for (const auto& word : words) made.words.push_back({.spelling = word.spelling});
+  std::vector<double> likelihoods(words.size());
+  std::vector<std::size_t> begins(words.size());
+  std::vector<std::size_t> frames(words.size());
+  for (const auto& step : *path) {
+    const auto phone = graph.nodes[step.node].phone;
+    const auto start = static_cast<std::int64_t>(step.first_frame) * CepstraMaker::kFrame;
+    if (const auto word = graph.word[step.node]) {
+      if (made.words[*word].phones++ == 0) {
+        made.words[*word].first_phone = made.utterance.phones.size();
+        begins[*word] = step.first_frame;
+      }
+      frames[*word] += step.frames;
+      likelihoods[*word] +=
+          phone_likelihood(phone, step.first_frame, step.frames, scores, decoder_->model);
+    }
+    made.utterance.phones.push_back({phone, start - heard.padding + kShift, {}});
   }
   double all = 0.0;
   std::size_t all_frames = 0;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto& [first, chosen] = read->at(i);
-    const auto& said = words[i].pronunciations[chosen];
-    double score = 0.0;
-    std::size_t frames = 0;
-    for (std::size_t k = 0; k < said.size(); ++k) {
-      phones[first + k].phone = said[k];
-      score += path[first + k].log_likelihood;
-      frames += path[first + k].frames;
-    }
-    const auto begins = path[first].first_frame;
-    score -= free_score.between(begins, begins + frames);
-    made.words.push_back({words[i].spelling, first, said.size()});
-    made.fit_of_word.push_back(score / static_cast<double>(frames));
-    all += score;
-    all_frames += frames;
+    const double lacking =
+        likelihoods[i] - free_likelihood(begins[i], frames[i], scores, decoder_->model);
+    made.fit_of_word.push_back(lacking / static_cast<double>(frames[i]));
+    all += lacking;
+    all_frames += frames[i];
   }
   made.fit = all / static_cast<double>(all_frames);
-  make_room(phones, sound.duration());
+  make_room(made.utterance.phones, sound.duration());
   return made;
 }
 

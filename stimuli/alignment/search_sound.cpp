@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "stimuli/alignment/phone_search.hpp"
+#include "stimuli/alignment/cepstra.hpp"
 #include "stimuli/audio/resample.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/random.hpp"
@@ -65,7 +65,7 @@ double floor_of(std::span<const double> samples) {
 
 SearchSound search_sound(const Clip& sound) {
   refuse_what_is_no_number(sound);
-  auto heard = centred(resample(sound, PhoneSearch::kRate));
+  auto heard = centred(resample(sound, CepstraMaker::kRate));
   double peak = 0.0;
   for (const double sample : heard) peak = std::max(peak, std::abs(sample));
   if (peak < kSilence) {

@@ -9,7 +9,7 @@ namespace bimodal {
 
 /// A recording made ready for the search for phones.
 struct SearchSound {
-  std::vector<std::int16_t> samples;  ///< at PhoneSearch::kRate
+  std::vector<std::int16_t> samples;  ///< at CepstraMaker::kRate
   Duration padding{};                 ///< before and after the recording
 };
 
