@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "stimuli/audio/band.hpp"
+#include "stimuli/base/counted.hpp"
 #include "stimuli/corpus/item_sound.hpp"
 
 namespace bimodal {
@@ -75,7 +76,8 @@ CorpusItem cut_item(const SaidWords& said, std::size_t index, const Clip& sound)
   std::ranges::move(margin_doubts(item, said.running), std::back_inserter(doubts));
   const auto clipped = clipped_runs(cut(sound, {word.start(), std::min(word.end(), length)}));
   if (clipped > 0) {
-    doubts.push_back(fmt::format("its sound is cut off at full scale in {} places", clipped));
+    doubts.push_back(
+        fmt::format("its sound is cut off at full scale in {}", counted(clipped, "place")));
   }
   item.doubt = fmt::format("{}", fmt::join(doubts, "; "));
   return item;
