@@ -10,14 +10,58 @@
 
 namespace bimodal::protocols {
 
+/// What is seen after the gate.
+enum class AfterGate {
+  Blank,   ///< the background, and silence
+  Freeze,  ///< the last picture, and silence
+};
+
+/// Where a stimulus is cut off: at an instant since the onset of the speech, or at the end of a
+/// phone.
+struct Gate {
+  std::optional<Duration> at;  ///< on the stimulus's own time, after a change of rate
+  int after_phone = 0;         ///< from 1; meant if `at` is absent
+  AfterGate picture = AfterGate::Blank;
+
+  bool operator==(const Gate&) const = default;
+};
+
+/// How a recording or a voice is presented.
+struct Manner {
+  double rate =
+      1.0;  ///< times as fast, without change of pitch; natural video keeps its frame rate
+  bool reversed = false;
+  std::optional<Gate> gate;
+
+  bool operator==(const Manner&) const = default;
+};
+
+/// How a visual talker's picture is shown, so that two talkers can be made comparable.
+struct Look {
+  std::string like;                 ///< "corpus:NAME" or "face": whose look to match; or empty
+  std::optional<Hertz> frame_rate;  ///< the picture changes no more often than this
+  std::optional<int> lines;         ///< drawn with so many lines, then enlarged to its height
+  std::optional<int> height;        ///< pixels on the screen; absent: Window::face_height
+  double blur_px = 0.0;             ///< standard deviation of a Gaussian, pixels on the screen
+  std::optional<std::uint32_t> background;  ///< behind the synthetic face, 0xRRGGBB
+
+  bool operator==(const Look&) const = default;
+};
+
 /// What is heard and seen in one kind of trial. At least one of the talkers is given.
 struct Condition {
   std::string name;
-  std::optional<std::string> auditory_talker;  ///< "festival:kal", "festival:slt"; absent: silence
-  std::optional<std::string> visual_talker;    ///< "face"; absent: no face
-  /// The voice that times the face where nothing is heard; where something is, it is that voice.
+  bool optional = false;  ///< in the experiment only if it is asked for
+  /// "festival:kal", "festival:slt", "corpus:NAME"; absent: silence
+  std::optional<std::string> auditory_talker;
+  std::optional<std::string> visual_talker;  ///< "face", "corpus:NAME"; absent: no picture
+  /// The voice or recording that times the face where nothing is heard; where something is, it is
+  /// that one.
   std::string timing_talker = "festival:kal";
-  std::optional<Decibels> snr;  ///< absent: no noise
+  std::optional<Decibels> snr;        ///< absent: no noise
+  std::optional<Duration> av_offset;  ///< absent: Intervals::av_offset
+  Manner manner;
+  Look look;
 };
 
 /// How words meet conditions.

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "stimuli/base/object_reader.hpp"
-#include "stimuli/base/obstacle.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/base/object_reader.hpp"
+#include "stimuli/base/obstacle.hpp"
 
 namespace bimodal::protocols {
 
@@ -76,29 +76,52 @@ const Dictionary* WordFinder::dictionary(std::string_view pointer) {
   return dictionary_ ? &*dictionary_ : nullptr;
 }
 
+std::optional<Pronunciation> WordFinder::pronounce(const std::string& spelling,
+                                                   const std::string& pointer) {
+  const auto* dictionary = this->dictionary(pointer);
+  if (dictionary == nullptr) return std::nullopt;
+  const auto pronunciations = dictionary->pronunciations(spelling);
+  if (!pronunciations.empty()) return pronunciations.front();
+  findings_->error(pointer,
+                   fmt::format("{} has no pronunciation in the dictionary", shown(spelling)),
+                   "check its spelling, or give its phones: "
+                   "{ \"word\": \"ba\", \"phones\": [\"B\", \"AA\"] }");
+  return std::nullopt;
+}
+
 std::vector<Word> WordFinder::look_up(const WordChoice& choice) {
   std::vector<Word> words;
   std::map<std::string, std::string> pointer_of;
-  for (std::size_t i = 0; i < choice.spellings.size(); ++i) {
-    const auto& spelling = choice.spellings[i];
-    const auto& pointer = choice.pointers[i];
-    const auto [earlier, is_new] = pointer_of.emplace(spelling, pointer);
+  std::map<std::string, Pronunciation> given;
+  for (const auto& written : choice.words) {
+    if (!written.phones.empty()) given.emplace(written.spelling, written.phones);
+  }
+  const auto phones_of = [&](const WrittenWord& written, const std::string& spelling) {
+    const auto found = given.find(spelling);
+    return found != given.end() ? std::optional{found->second}
+                                : pronounce(spelling, written.pointer);
+  };
+  for (const auto& written : choice.words) {
+    Word word{.spelling = written.spelling, .phones = written.phones, .seen = std::nullopt};
+    if (!written.seen.empty() && written.seen != written.spelling) {
+      word.seen = SeenWord{written.seen, {}};
+    }
+    const auto [earlier, is_new] = pointer_of.emplace(shown_name(word), written.pointer);
     if (!is_new) {
-      findings_->error(pointer,
-                       fmt::format("{} is already at {}", shown(spelling), earlier->second),
+      findings_->error(written.pointer,
+                       fmt::format("{} is already at {}", shown(shown_name(word)), earlier->second),
                        "remove one of them");
       continue;
     }
-    const auto* dictionary = this->dictionary(choice.pointer);
-    if (dictionary == nullptr) continue;
-    const auto pronunciations = dictionary->pronunciations(spelling);
-    if (pronunciations.empty()) {
-      findings_->error(pointer,
-                       fmt::format("{} has no pronunciation in the dictionary", shown(spelling)),
-                       "check its spelling, or write a word list with its phones");
-      continue;
+    const auto phones = word.phones.empty() ? phones_of(written, word.spelling) : word.phones;
+    if (!phones) continue;
+    word.phones = *phones;
+    if (word.seen) {
+      const auto seen = phones_of(written, word.seen->spelling);
+      if (!seen) continue;
+      word.seen->phones = *seen;
     }
-    words.push_back({spelling, pronunciations.front()});
+    words.push_back(std::move(word));
   }
   return words;
 }

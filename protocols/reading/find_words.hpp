@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "stimuli/base/findings.hpp"
 #include "protocols/reading/structure.hpp"
+#include "stimuli/base/findings.hpp"
 #include "stimuli/words/dictionary.hpp"
 #include "stimuli/words/word_list.hpp"
 
@@ -30,6 +30,8 @@ class WordFinder {
 
  private:
   [[nodiscard]] std::vector<Word> look_up(const WordChoice& choice);
+  [[nodiscard]] std::optional<Pronunciation> pronounce(const std::string& spelling,
+                                                       const std::string& pointer);
   [[nodiscard]] std::vector<Word> read_list(const WordChoice& choice);
   [[nodiscard]] const Dictionary* dictionary(std::string_view pointer);
 

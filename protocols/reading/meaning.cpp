@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -30,20 +29,6 @@ double milliseconds(Duration duration) {
 bool any_faulty(const Findings& findings, std::initializer_list<std::string_view> pointers) {
   return std::ranges::any_of(pointers,
                              [&](std::string_view pointer) { return findings.faulty(pointer); });
-}
-
-void judge_names(const Protocol& protocol, Findings& findings) {
-  std::map<std::string, std::size_t> index_of;
-  for (std::size_t i = 0; i < protocol.conditions.size(); ++i) {
-    const auto& name = protocol.conditions[i].name;
-    if (name.empty()) continue;  // it could not be read
-    const auto [earlier, is_new] = index_of.emplace(name, i);
-    if (is_new) continue;
-    findings.error(
-        fmt::format("/conditions/{}/name", i),
-        fmt::format("{} is already the name of condition {}", shown(name), earlier->second),
-        "give each condition a name of its own; results are told apart by it");
-  }
 }
 
 void judge_band(const Protocol& protocol, Findings& findings) {
@@ -196,7 +181,6 @@ void judge_meaning(const Protocol& protocol,
                    const std::vector<Word>& words,
                    const std::vector<Word>& practice,
                    Findings& findings) {
-  judge_names(protocol, findings);
   judge_band(protocol, findings);
   judge_ramps(protocol, findings);
   judge_intervals(protocol, findings);

@@ -7,14 +7,14 @@
 #include <fmt/format.h>
 
 #include "protocols/reading/find_words.hpp"
-#include "stimuli/base/findings.hpp"
 #include "protocols/reading/meaning.hpp"
-#include "stimuli/base/obstacle.hpp"
 #include "protocols/reading/structure.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/findings.hpp"
 #include "stimuli/base/json_lines.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/base/obstacle.hpp"
 
 namespace bimodal::protocols {
 
@@ -53,13 +53,21 @@ ReadProtocol read_protocol_text(std::string text,
   findings.refuse_duplicates(lines);
   auto structure = read_structure(std::get<nlohmann::json>(parsed), findings);
   read.protocol = structure.protocol;
+  read.cast = options.cast;
+  auto cast = protocols::cast(structure.conditions, file.parent_path(), options.cast, findings);
+  read.protocol.conditions = cast.conditions;
+  read.condition_pointers = cast.pointers;
 
   read.words.name = file.filename().string();
   WordFinder finder{file.parent_path(), options.dictionary, findings};
   find_words(structure, finder, read);
+  judge_repertoire(cast, read.words.words, read.practice, findings);
   judge_meaning(read.protocol, read.words.words, read.practice, findings);
 
   read.diagnostics = findings.located(lines, file.string());
+  read.diagnostics.insert(
+      read.diagnostics.end(), cast.corpus_findings.begin(), cast.corpus_findings.end());
+  read.corpora = std::move(cast.corpora);
   const auto& of_lists = finder.list_findings();
   read.diagnostics.insert(read.diagnostics.end(), of_lists.begin(), of_lists.end());
   return read;

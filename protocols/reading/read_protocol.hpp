@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "protocols/model/protocol.hpp"
+#include "protocols/reading/casting.hpp"
 #include "stimuli/base/diagnostic.hpp"
 #include "stimuli/words/word_list.hpp"
 
@@ -18,12 +19,17 @@ struct ReadProtocol {
   std::vector<Word> practice;  ///< protocol.practice.words with their pronunciations
   std::string text;            ///< the file's very content
   std::string sha256;          ///< of the text
-  /// Every mistake and warning: of the protocol in the order of its lines, then of its word lists.
+  std::vector<std::string> condition_pointers;  ///< where each of protocol.conditions is written
+  std::map<std::string, Corpus> corpora;        ///< that the talkers "corpus:NAME" are, by NAME
+  CastOptions cast;                             ///< what was chosen in reading
+  /// Every mistake and warning: of the protocol in the order of its lines, then of its corpora
+  /// and word lists.
   std::vector<Diagnostic> diagnostics;
 };
 
 struct ReadOptions {
   std::filesystem::path dictionary;  ///< CMU format; empty: Dictionary::installed()
+  CastOptions cast;
 };
 
 /// Reads a protocol (key by key in protocols/README.md) and every word list that it names, and

@@ -1,13 +1,13 @@
 #include "protocols/reading/structure.hpp"
 
 #include <array>
-#include <charconv>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "stimuli/base/object_reader.hpp"
+#include "protocols/reading/read_condition.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/base/object_reader.hpp"
 
 namespace bimodal::protocols {
 
@@ -17,12 +17,9 @@ using Json = nlohmann::json;
 using namespace std::chrono_literals;
 
 constexpr std::size_t kMostPages = 100;
-constexpr std::size_t kMostConditions = 100;
 constexpr std::size_t kMostWords = 10'000;
 constexpr NumberRule kSeconds{0, 60, "a time in seconds, e.g. 0.5"};
 
-constexpr std::array<std::string_view, 2> kVoices{"festival:kal", "festival:slt"};
-constexpr std::array<std::string_view, 1> kFaces{"face"};
 constexpr std::array<std::string_view, 2> kAssignments{"once", "every-condition"};
 constexpr std::array<std::string_view, 1> kResponseKinds{"typed"};
 constexpr std::array<std::string_view, 1> kNoiseKinds{"white"};
@@ -37,70 +34,6 @@ void take_whole(int& target, std::optional<std::int64_t> read) {
   if (read) target = static_cast<int>(*read);
 }
 
-/// {"talker": "festival:kal"}, or null or nothing for none.
-std::optional<std::string> read_talker(ObjectReader& parent,
-                                       std::string_view key,
-                                       std::span<const std::string_view> talkers) {
-  const auto* value = parent.find(key);
-  if (value == nullptr || value->is_null()) return std::nullopt;
-  auto reader = *parent.object(key);
-  reader.require("talker", fmt::format("\"{}\"", talkers.front()));
-  const auto chosen = reader.choice("talker", talkers);
-  reader.refuse_unknown_keys();
-  if (!chosen) return std::nullopt;
-  return std::string{talkers[*chosen]};
-}
-
-/// Whether the talkers and the ratio of one condition go together; what is faulty is left alone.
-void judge_condition(const ObjectReader& reader,
-                     const Condition& condition,
-                     bool has_timing,
-                     Findings& findings) {
-  if (findings.faulty(reader.pointer_to("auditory"))) return;
-  if (condition.auditory_talker) {
-    if (has_timing) {
-      findings.error(reader.pointer_to("timing"),
-                     "where a voice is heard, that voice times the face",
-                     "remove \"timing\"");
-    }
-    return;
-  }
-  if (!condition.visual_talker && !findings.faulty(reader.pointer_to("visual"))) {
-    findings.error(reader.pointer(),
-                   "nothing is heard and nothing is seen",
-                   "give \"auditory\" or \"visual\" or both a talker");
-  }
-  if (condition.snr) {
-    findings.error(reader.pointer_to("snr_db"),
-                   "there is a speech-to-noise ratio but no speech",
-                   "remove it, or give \"auditory\" a talker");
-  }
-}
-
-Condition read_condition(const Json& value, std::string pointer, Findings& findings) {
-  Condition condition;
-  ObjectReader reader{value, std::move(pointer), findings};
-  const TextRule name{.shortest = 1,
-                      .longest = 40,
-                      .meaning = "a short name, e.g. \"bimodal\"; tables and figures show it"};
-  reader.require("name", "\"bimodal\"");
-  take(condition.name, reader.text("name", name));
-  condition.auditory_talker = read_talker(reader, "auditory", kVoices);
-  condition.visual_talker = read_talker(reader, "visual", kFaces);
-  const auto timing = read_talker(reader, "timing", kVoices);
-  const bool has_timing = timing.has_value();
-  condition.timing_talker =
-      condition.auditory_talker.value_or(timing.value_or(condition.timing_talker));
-  const auto* snr = reader.find("snr_db");
-  if (snr != nullptr && !snr->is_null()) {
-    const auto ratio = reader.number("snr_db", {-60, 60, "the ratio in dB, e.g. -8"});
-    if (ratio) condition.snr = Decibels{*ratio};
-  }
-  judge_condition(reader, condition, has_timing, findings);
-  reader.refuse_unknown_keys();
-  return condition;
-}
-
 std::string lower_case(std::string_view text) {
   std::string lower{text};
   for (char& letter : lower) {
@@ -109,11 +42,56 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// A name or path, or an array of spellings.
-std::optional<WordChoice> read_words(ObjectReader& reader, std::string_view key) {
+/// ["B", "AA"]; noted and empty where something is no phone.
+Pronunciation read_phones(ObjectReader& reader, Findings& findings) {
+  Pronunciation phones;
+  for (const auto& [value, pointer] : reader.items("phones", 1, 100)) {
+    const auto phone =
+        value->is_string() ? phone_from_symbol(value->get_ref<const std::string&>()) : std::nullopt;
+    if (phone && *phone != Phone::Rest) {
+      phones.push_back(*phone);
+    } else {
+      findings.error(pointer,
+                     fmt::format("{} is not a phone", shown(*value)),
+                     fmt::format("use the symbols {}", spell(all_phones().subspan(1))));
+    }
+  }
+  return phones;
+}
+
+constexpr TextRule kWordRule{.shortest = 1, .longest = 40, .meaning = "a word, e.g. \"cat\""};
+
+/// "cat", or {"word": "ba", "phones": ["B", "AA"], "seen": "da"}.
+std::optional<WrittenWord> read_word(ObjectReader& parent,
+                                     const Json& value,
+                                     const std::string& pointer,
+                                     Findings& findings) {
+  WrittenWord word;
+  word.pointer = pointer;
+  if (!value.is_object()) {
+    const auto spelling = parent.text_of(value, pointer, kWordRule);
+    if (!spelling) return std::nullopt;
+    word.spelling = lower_case(*spelling);
+    return word;
+  }
+  ObjectReader reader{value, pointer, findings};
+  reader.require("word", "\"ba\"");
+  const auto spelling = reader.text("word", kWordRule);
+  word.phones = read_phones(reader, findings);
+  word.seen = lower_case(reader.text("seen", kWordRule).value_or(""));
+  reader.refuse_unknown_keys();
+  if (!spelling || findings.faulty(pointer)) return std::nullopt;
+  word.spelling = lower_case(*spelling);
+  return word;
+}
+
+/// A name or path, or an array of words.
+std::optional<WordChoice> read_words(ObjectReader& reader,
+                                     std::string_view key,
+                                     Findings& findings) {
   const auto* value = reader.find(key);
   if (value == nullptr) return std::nullopt;
-  WordChoice choice{.pointer = reader.pointer_to(key), .list = {}, .spellings = {}, .pointers = {}};
+  WordChoice choice{.pointer = reader.pointer_to(key), .list = {}, .words = {}};
   if (!value->is_array()) {
     const TextRule name{.shortest = 1,
                         .longest = 500,
@@ -126,29 +104,19 @@ std::optional<WordChoice> read_words(ObjectReader& reader, std::string_view key)
     choice.list = std::move(*list);
     return choice;
   }
-  const TextRule word{.shortest = 1, .longest = 40, .meaning = "a word, e.g. \"cat\""};
   for (const auto& [item, pointer] : reader.items(key, 1, kMostWords)) {
-    if (auto spelling = reader.text_of(*item, pointer, word)) {
-      choice.spellings.push_back(lower_case(*spelling));
-      choice.pointers.push_back(pointer);
+    if (auto word = read_word(reader, *item, pointer, findings)) {
+      choice.words.push_back(std::move(*word));
     }
   }
   return choice;
 }
 
-std::vector<Condition> read_conditions(ObjectReader& reader, Findings& findings) {
-  std::vector<Condition> conditions;
-  for (const auto& [item, pointer] : reader.items("conditions", 1, kMostConditions)) {
-    conditions.push_back(read_condition(*item, pointer, findings));
-  }
-  return conditions;
-}
-
-std::optional<WordChoice> read_practice(ObjectReader& parent) {
+std::optional<WordChoice> read_practice(ObjectReader& parent, Findings& findings) {
   auto reader = parent.object("practice");
   if (!reader) return std::nullopt;
   reader->require("words", "[\"cat\", \"dog\"]");
-  auto words = read_words(*reader, "words");
+  auto words = read_words(*reader, "words", findings);
   reader->refuse_unknown_keys();
   return words;
 }
@@ -237,28 +205,6 @@ void read_sound(ObjectReader& parent, Sound& sound, Findings& findings) {
   reader->refuse_unknown_keys();
 }
 
-/// "#606060" as 0x606060.
-void read_background(ObjectReader& reader, std::uint32_t& background, Findings& findings) {
-  const auto written =
-      reader.text("background", {.longest = 40, .meaning = "a colour, e.g. \"#606060\""});
-  if (!written) return;
-  constexpr std::size_t kLength = 7;
-  std::uint32_t colour = 0;
-  bool good = written->size() == kLength && written->front() == '#';
-  if (good) {
-    const char* end = written->data() + written->size();
-    const auto [stopped, fault] = std::from_chars(written->data() + 1, end, colour, 16);
-    good = fault == std::errc{} && stopped == end;
-  }
-  if (!good) {
-    findings.error(reader.pointer_to("background"),
-                   fmt::format("{} is not a colour", shown(Json(*written))),
-                   "give red, green, blue in two hexadecimal digits each, e.g. \"#606060\"");
-    return;
-  }
-  background = colour;
-}
-
 void read_window(ObjectReader& parent, Window& window, Findings& findings) {
   auto reader = parent.object("window");
   if (!reader) return;
@@ -268,7 +214,7 @@ void read_window(ObjectReader& parent, Window& window, Findings& findings) {
   take(window.fullscreen, reader->flag("fullscreen"));
   take_whole(window.face_height,
              reader->whole("face_height", {64, 8'192, "a number of pixels, e.g. 720"}));
-  read_background(*reader, window.background, findings);
+  take(window.background, read_colour(*reader, "background", findings));
   reader->refuse_unknown_keys();
 }
 
@@ -316,13 +262,13 @@ Structure read_structure(const Json& json, Findings& findings) {
   const auto seed = reader.whole("seed", {0, 9007199254740991.0, "a whole number, e.g. 1993"});
   if (seed) protocol.seed = static_cast<Seed>(*seed);
   reader.require("words", "\"monosyllables-414\"");
-  structure.words = read_words(reader, "words");
+  structure.words = read_words(reader, "words", findings);
   if (structure.words) protocol.words = structure.words->list;
   reader.require("conditions", "[ { \"name\": ..., \"auditory\": ..., \"visual\": ... } ]");
-  protocol.conditions = read_conditions(reader, findings);
+  structure.conditions = read_conditions(reader, findings);
   const auto assignment = reader.choice("assignment", kAssignments);
   if (assignment) protocol.assignment = static_cast<Assignment>(*assignment);
-  structure.practice = read_practice(reader);
+  structure.practice = read_practice(reader, findings);
   if (structure.practice) protocol.practice.list = structure.practice->list;
   read_breaks(reader, protocol.breaks);
   read_response(reader, protocol.response);

@@ -7,24 +7,35 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/model/protocol.hpp"
+#include "protocols/reading/read_condition.hpp"
 #include "stimuli/base/findings.hpp"
+#include "stimuli/timeline/phone.hpp"
 
 namespace bimodal::protocols {
 
 /// The format that this program reads: the value of the key "bimodal_protocol".
 inline constexpr int kProtocolFormat = 1;
 
+/// A word as it is spelled out in a protocol.
+struct WrittenWord {
+  std::string pointer;   ///< where it is written
+  std::string spelling;  ///< lower case
+  Pronunciation phones;  ///< empty: to be looked up
+  std::string seen;      ///< lower case; empty: the same word
+};
+
 /// Words as a protocol asks for them: the name of a list, or the words themselves.
 struct WordChoice {
-  std::string pointer;                 ///< where it is written
-  std::string list;                    ///< "monosyllables-414", "lists/mine.json"; or empty, and
-  std::vector<std::string> spellings;  ///< the words, lower case
-  std::vector<std::string> pointers;   ///< of each spelling
+  std::string pointer;  ///< where it is written
+  std::string list;     ///< "monosyllables-414", "lists/mine.json"; or empty, and
+  std::vector<WrittenWord> words;
 };
 
 /// What the keys of a protocol say, each judged by itself. What could not be read has its default.
 struct Structure {
-  Protocol protocol;  ///< practice.words are still to be looked up
+  /// Practice words are still to be looked up, conditions to be chosen and their talkers found.
+  Protocol protocol;
+  std::vector<WrittenCondition> conditions;
   std::optional<WordChoice> words;
   std::optional<WordChoice> practice;
 };

@@ -87,6 +87,7 @@ class SessionLoop {
     TrialRecord record;
     record.trial = static_cast<int>(planned.index);
     record.sound = trial.sound_record;
+    record.recordings = trial.recordings;
     TrialMachine machine{
         {.fixation = parts_.protocol.intervals.fixation,
          .time_limit = parts_.protocol.response.time_limit,

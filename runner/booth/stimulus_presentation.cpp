@@ -27,9 +27,15 @@ constexpr Duration kSoundTolerance = 2ms;
 /// How long to wait for the device's word on when the sound began.
 constexpr Duration kReportPatience = 500ms;
 
-Picture picture_of(const Film& film, std::int64_t frame) {
-  const auto& image = film.pictures.at(film.picture_of_frame.at(static_cast<std::size_t>(frame)));
+Picture picture_of(const Film& film, std::size_t number) {
+  const auto& image = *film.pictures[number];
   return {.width = image.width, .height = image.height, .pixels = image.pixels};
+}
+
+/// The frame of the media file that a frame of a film shows; -1 where it is blank.
+std::int64_t source_frame(const Film& film, std::int64_t frame) {
+  const auto number = film.picture_of_frame[static_cast<std::size_t>(frame)];
+  return number == Film::kBlank ? -1 : film.source_frame_of_picture[number];
 }
 
 class StimulusLoop {
@@ -42,6 +48,7 @@ class StimulusLoop {
       : booth_{booth}, trial_{trial}, cues_{cues}, machine_{machine}, record_{record} {
     const auto expected = static_cast<std::size_t>(trial.frames) + 8;
     record_.refreshes.frame.reserve(expected);
+    if (shows_video_) record_.refreshes.source_frame.reserve(expected);
     record_.refreshes.planned.reserve(expected);
     record_.refreshes.shown.reserve(expected);
     record_.stimulus_start = since_zero(cues.first_refresh());
@@ -81,8 +88,11 @@ class StimulusLoop {
     screen_.fixation = trial_.frames == 0;
     screen_.picture = nullptr;
     if (trial_.film && trial_.frames > 0) {
-      picture_ = picture_of(*trial_.film, frame);
-      screen_.picture = &picture_;
+      const auto number = trial_.film->picture_of_frame.at(static_cast<std::size_t>(frame));
+      if (number != Film::kBlank) {
+        picture_ = picture_of(*trial_.film, number);
+        screen_.picture = &picture_;
+      }
     }
     const Instant planned = cues_.refresh(index);
     const auto presented = booth_.display.present(screen_, planned);
@@ -91,6 +101,9 @@ class StimulusLoop {
       if (presented.lateness > half) ++late_;
       if (presented.lateness < -half) ++early_;
       record_.refreshes.frame.push_back(frame);
+      if (shows_video_) {
+        record_.refreshes.source_frame.push_back(source_frame(*trial_.film, frame));
+      }
       record_.refreshes.planned.push_back(since_zero(planned));
       record_.refreshes.shown.push_back(since_zero(presented.onset));
       if (!zero_ && frame >= zero_frame_) zero_ = presented;
@@ -161,6 +174,7 @@ class StimulusLoop {
   const CueSheet& cues_;
   TrialMachine& machine_;
   TrialRecord& record_;
+  bool shows_video_ = trial_.film && !trial_.film->source_frame_of_picture.empty();
   Screen screen_;
   Picture picture_;
   std::optional<Presentation> zero_;    ///< of the first frame not before time zero

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/media_check.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/sound_check.hpp"
 #include "runner/cli/verbs.hpp"
@@ -29,6 +30,15 @@ int sessions_of(const protocols::Protocol& protocol) {
   return protocol.assignment == Assignment::Once ? 1 : static_cast<int>(protocol.conditions.size());
 }
 
+/// " 3 times as fast reversed gated", as far as it applies.
+std::string manner_text(const protocols::Manner& manner) {
+  std::string text;
+  if (manner.rate != 1.0) text += fmt::format(" {:g} times as fast", manner.rate);
+  if (manner.reversed) text += " reversed";
+  if (manner.gate) text += " gated";
+  return text;
+}
+
 void print_summary(const ReadProtocol& read, std::size_t trials) {
   const auto& protocol = read.protocol;
   const auto& times = protocol.intervals;
@@ -40,7 +50,7 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
              read.words.name,
              read.practice.size());
   for (const auto& condition : protocol.conditions) {
-    fmt::print("  condition    {:<14} hears {:<14} sees {:<6} {}\n",
+    fmt::print("  condition    {:<14} hears {:<14} sees {:<14} {}{}\n",
                condition.name,
                condition.auditory_talker.value_or("nothing"),
                condition.visual_talker.value_or("no face"),
@@ -48,7 +58,8 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
                                            condition.snr->count(),
                                            protocol.sound.noise.band_low.count(),
                                            protocol.sound.noise.band_high.count())
-                             : std::string{});
+                             : std::string{},
+               manner_text(condition.manner));
   }
   fmt::print("  assignment   {}\n",
              protocol.assignment == Assignment::Once
@@ -60,19 +71,23 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
              counted(static_cast<std::size_t>(minutes), "minute"));
 }
 
-std::vector<Diagnostic> check_all_sounds(const ReadProtocol& read, const std::string& file) {
-  SpeechBank bank{read.protocol.sound.rate};
-  TrialPreparer preparer{read.protocol, bank, nullptr, Hertz{60}};
-  return check_sounds(read, every_sound(read), preparer, file);
+std::vector<Diagnostic> check_stimuli(const ReadProtocol& read, const std::string& file) {
+  auto found = check_media(read, file);
+  if (has_errors(found)) return found;
+  Repertoire repertoire{read.protocol.sound.rate, read.corpora};
+  TrialPreparer preparer{read.protocol, repertoire, nullptr, Hertz{60}};
+  const auto sounds = check_sounds(read, every_sound(read), preparer, file);
+  found.insert(found.end(), sounds.begin(), sounds.end());
+  return found;
 }
 
-ExitCode check(const std::string& named) {
-  const auto read = load_protocol(named);
+ExitCode check(const ProtocolChoice& choice) {
+  const auto read = load_protocol(choice);
   if (!read) return ExitCode::InvalidInput;
-  const auto found = check_all_sounds(*read, find_protocol(named).string());
+  const auto found = check_stimuli(*read, find_protocol(choice.named).string());
   print(found);
   if (has_errors(found)) {
-    fmt::print(stderr, "bimodal: the protocol cannot be used: its sounds cannot be played\n");
+    fmt::print(stderr, "bimodal: the protocol cannot be used: its stimuli cannot be presented\n");
     return ExitCode::InvalidInput;
   }
   const auto plan = protocols::make_plan(read->protocol, read->words, read->practice, {});
@@ -94,12 +109,16 @@ void add_check(CLI::App& app, Verb& chosen) {
       "Reads a protocol whole, with every file that it needs, and prints all mistakes at once.\n"
       "Makes every word in every condition in which it is heard, so that none is found to clip "
       "later.\n"
+      "Of corpora it verifies every recording that is needed: that it is the one of the manifest, "
+      "and\nhas the sound and picture that are to be presented.\n"
       "Exit code: 0 clean, 1 warnings, 3 errors.\n\n"
-      "Examples:\n  bimodal check words414\n  bimodal check my-experiment.json");
-  auto named = std::make_shared<std::string>();
-  verb->add_option("PROTOCOL", *named, "a JSON file, or the name of a protocol of the library")
-      ->required();
-  verb->callback([named, &chosen] { chosen = [named] { return check(*named); }; });
+      "Examples:\n"
+      "  bimodal check words414 --corpus natural=my-talker\n"
+      "  bimodal check words414 --without V_nat\n"
+      "  bimodal check my-experiment.json");
+  auto choice = std::make_shared<ProtocolChoice>();
+  add_protocol_options(*verb, *choice);
+  verb->callback([choice, &chosen] { chosen = [choice] { return check(*choice); }; });
 }
 
 }  // namespace bimodal::runner

@@ -7,11 +7,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "stimuli/base/nearest.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/devices/device_error.hpp"
 #include "runner/store/store_error.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/nearest.hpp"
 
 namespace {
 
@@ -73,6 +73,7 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
   bimodal::runner::add_check(app, verb);
   bimodal::runner::add_run(app, verb);
   bimodal::runner::add_rehearse(app, verb);
+  bimodal::runner::add_labels(app, verb);
   bimodal::runner::add_stimuli(app, verb);
   bimodal::runner::add_render(app, verb);
   bimodal::runner::add_devices(app, verb);

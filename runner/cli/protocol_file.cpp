@@ -27,8 +27,38 @@ void print(std::span<const Diagnostic> diagnostics) {
   }
 }
 
-std::optional<protocols::ReadProtocol> load_protocol(const std::string& named) {
-  auto read = protocols::read_protocol(find_protocol(named));
+void add_protocol_options(CLI::App& verb, ProtocolChoice& choice) {
+  verb.add_option("PROTOCOL", choice.named, "a JSON file, or the name of a protocol of the library")
+      ->required();
+  verb.add_option("--corpus",
+                  choice.corpora,
+                  "NAME=FOLDER: where the corpus is that the protocol calls corpus:NAME")
+      ->allow_extra_args(false)
+      ->type_name("NAME=FOLDER");
+  verb.add_option(
+          "--without", choice.without, "leaves a condition out; the order is balanced again")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->type_name("CONDITION");
+  verb.add_option("--with", choice.with, "takes an optional condition in")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->type_name("CONDITION");
+}
+
+std::optional<protocols::ReadProtocol> load_protocol(const ProtocolChoice& choice) {
+  protocols::ReadOptions options{.cast = {.without = choice.without, .with = choice.with}};
+  for (const auto& corpus : choice.corpora) {
+    const auto equals = corpus.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw Error{
+          fmt::format("--corpus '{}' does not say which corpus is meant; give NAME=FOLDER, e.g. "
+                      "--corpus natural=my-talker",
+                      corpus)};
+    }
+    options.cast.corpora[corpus.substr(0, equals)] = corpus.substr(equals + 1);
+  }
+  auto read = protocols::read_protocol(find_protocol(choice.named), options);
   print(read.diagnostics);
   if (!has_errors(read.diagnostics)) return read;
   const auto errors = std::ranges::count(read.diagnostics, Severity::Error, &Diagnostic::severity);

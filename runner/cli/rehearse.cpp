@@ -24,7 +24,7 @@ namespace bimodal::runner {
 namespace {
 
 struct RehearseOptions {
-  std::string protocol;
+  ProtocolChoice protocol;
   int participants = 1;
   int first = 1;
   Seed seed = 1;
@@ -71,7 +71,7 @@ int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) 
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
-    const auto id = rehearsal.store.begin(record, plan_records(protocol, plan));
+    const auto id = rehearsal.store.begin(record, plan_records(rehearsal.read, plan));
     if (rehearsal.options.trials) {
       rehearsal.store.add(id,
                           EventRecord{.at = clock.now().time_since_epoch(),
@@ -102,7 +102,7 @@ ExitCode rehearse(const RehearseOptions& options) {
   const auto read = load_protocol(options.protocol);
   if (!read) return ExitCode::InvalidInput;
   const auto data = options.data.empty()
-                        ? "rehearsal-" + default_data_file(options.protocol).string()
+                        ? "rehearsal-" + default_data_file(options.protocol.named).string()
                         : options.data;
   if (!options.again) {
     for (int i = 0; i < options.participants; ++i) {
@@ -115,9 +115,9 @@ ExitCode rehearse(const RehearseOptions& options) {
   }
   const auto store = open_sqlite_store(data);
   StoreWriter writer{*store};
-  SpeechBank bank{read->protocol.sound.rate};
+  Repertoire repertoire{read->protocol.sound.rate, read->corpora};
   TrialPreparer preparer{
-      read->protocol, bank, nullptr, drawing_rate_for(period_of(Hertz{options.refresh_hz}))};
+      read->protocol, repertoire, nullptr, drawing_rate_for(period_of(Hertz{options.refresh_hz}))};
   const Rehearsal rehearsal{*read, options, preparer, *store, writer};
   const bool to_terminal = isatty(STDERR_FILENO) == 1;
   int trials = 0;
@@ -159,8 +159,7 @@ void add_rehearse(CLI::App& app, Verb& chosen) {
       "Example:\n"
       "  bimodal rehearse words414 --participants 20 --seed 7 --data trial.sqlite");
   auto options = std::make_shared<RehearseOptions>();
-  verb->add_option("PROTOCOL", options->protocol, "a JSON file, or a protocol of the library")
-      ->required();
+  add_protocol_options(*verb, options->protocol);
   verb->add_option("--participants", options->participants, "how many (1)")
       ->check(whole_number_from(1));
   verb->add_option("--first", options->first, "number of the first participant (1)")

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/verbs.hpp"
-#include "runner/preparation/speech_bank.hpp"
+#include "runner/preparation/repertoire.hpp"
 #include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
@@ -111,8 +111,7 @@ void write_frames(const RenderOptions& options,
   Image image;
   for (std::size_t frame = 0; frame < poses.size(); ++frame) {
     renderer.draw(poses[frame], image);
-    write_png(image,
-                     std::filesystem::path{options.frames} / fmt::format("frame{:04}.png", frame));
+    write_png(image, std::filesystem::path{options.frames} / fmt::format("frame{:04}.png", frame));
   }
   fmt::print("{}: {} frames at {:g} frames/s\n", options.frames, poses.size(), options.rate_hz);
 }
@@ -121,9 +120,10 @@ ExitCode render(const RenderOptions& options) {
   if (options.strip.empty() && options.frames.empty() && options.sound.empty()) {
     throw Error{"nothing to write; give --strip FILE.png, --frames FOLDER or --sound FILE.wav"};
   }
-  SpeechBank bank{Hertz{48'000}};
-  const auto& spoken = bank.item("festival:" + options.voice,
-                                 {.spelling = options.word, .phones = pronunciation(options)});
+  const std::map<std::string, Corpus> no_corpora;
+  Repertoire repertoire{Hertz{48'000}, no_corpora};
+  const auto& spoken =
+      repertoire.perform("festival:" + options.voice, options.word, pronunciation(options));
   if (!options.sound.empty()) {
     write_wav(options.sound, spoken.sound);
     fmt::print("{}: spoken by {}\n", options.sound, options.voice);

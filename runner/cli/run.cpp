@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "runner/booth/session_loop.hpp"
+#include "runner/cli/media_check.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_setup.hpp"
@@ -28,7 +29,7 @@ namespace bimodal::runner {
 namespace {
 
 struct RunOptions {
-  std::string protocol;
+  ProtocolChoice protocol;
   std::string participant;
   std::optional<int> number;
   int session = 1;
@@ -96,25 +97,18 @@ std::unique_ptr<Devices> open_devices(const protocols::Protocol& protocol,
 /// after trial is mixed and drawn.
 PreparationQueue::Prepare make_prepare(const protocols::ReadProtocol& read,
                                        const std::vector<protocols::PlannedTrial>& plan,
-                                       SpeechBank& bank,
+                                       Repertoire& repertoire,
                                        Hertz drawing_rate,
                                        const std::string& file) {
   struct Workshop {
-    std::optional<FaceTalker> face;
+    std::optional<FilmStudio> studio;
     std::optional<TrialPreparer> preparer;
   };
 
   const auto& protocol = read.protocol;
   auto workshop = std::make_shared<Workshop>();
-  const bool has_face = std::ranges::any_of(protocol.conditions, [](const auto& condition) {
-    return condition.visual_talker.has_value();
-  });
-  if (has_face) {
-    workshop->face.emplace(static_cast<std::size_t>(protocol.window.face_height),
-                           protocol.window.background);
-  }
-  workshop->preparer.emplace(
-      protocol, bank, workshop->face ? &*workshop->face : nullptr, drawing_rate);
+  workshop->studio.emplace(protocol.window, read.corpora);
+  workshop->preparer.emplace(protocol, repertoire, &*workshop->studio, drawing_rate);
   const auto found = check_sounds(read, plan, *workshop->preparer, file);
   if (has_errors(found)) throw Error{describe(found.front())};
   return [workshop](const protocols::PlannedTrial& trial, const Checkpoint& checkpoint) {
@@ -169,7 +163,10 @@ ExitCode run(const RunOptions& options) {
       .session_number = options.session};
   const auto plan =
       shortened_plan(*read, key, {.main_trials = options.trials, .practice = !options.no_practice});
-  const auto data = options.data.empty() ? default_data_file(options.protocol)
+  const auto media = check_media(*read, find_protocol(options.protocol.named).string());
+  print(media);
+  if (has_errors(media)) return ExitCode::InvalidInput;
+  const auto data = options.data.empty() ? default_data_file(options.protocol.named)
                                          : std::filesystem::path{options.data};
   const bool simulated = options.answers == "simulated";
   if (!options.again) {
@@ -184,10 +181,11 @@ ExitCode run(const RunOptions& options) {
   if (options.display == "headless") fmt::print("no display: nothing is shown\n");
   if (options.audio == "none") fmt::print("no audio: nothing is heard\n");
 
-  SpeechBank bank{protocol.sound.rate};
+  Repertoire repertoire{protocol.sound.rate, read->corpora};
   const auto drawing_rate = drawing_rate_for(devices->display->refresh().period);
   PreparationQueue queue{
-      plan, [&] { return make_prepare(*read, plan, bank, drawing_rate, options.protocol); }};
+      plan,
+      [&] { return make_prepare(*read, plan, repertoire, drawing_rate, options.protocol.named); }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     auto record = session_record(*read, options.participant, key);
     record.simulated_answers = simulated;
@@ -197,7 +195,7 @@ ExitCode run(const RunOptions& options) {
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
-    const auto id = store->begin(record, plan_records(protocol, plan));
+    const auto id = store->begin(record, plan_records(*read, plan));
     if (options.trials || options.no_practice) {
       store->add(id,
                  EventRecord{
@@ -242,8 +240,7 @@ void add_run(CLI::App& app, Verb& chosen) {
       "  bimodal run words414 --participant P01 --display headless --audio none --answers "
       "simulated");
   auto options = std::make_shared<RunOptions>();
-  verb->add_option("PROTOCOL", options->protocol, "a JSON file, or a protocol of the library")
-      ->required();
+  add_protocol_options(*verb, options->protocol);
   verb->add_option("--participant", options->participant, "a name that ends with a number: P01")
       ->required();
   verb->add_option("--number", options->number, "the participant's number, if the name has none")

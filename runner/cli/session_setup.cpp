@@ -98,6 +98,34 @@ void refuse_repetition(const std::filesystem::path& data,
   }
 }
 
+/// What was chosen when the protocol was read, as JSON; empty if nothing was.
+std::string cast_text(const protocols::ReadProtocol& read) {
+  const auto& cast = read.cast;
+  if (cast.without.empty() && cast.with.empty() && read.corpora.empty()) return {};
+  nlohmann::json text{{"without", cast.without}, {"with", cast.with}};
+  for (const auto& [name, corpus] : read.corpora) {
+    std::error_code ignored;
+    text["corpora"][name] = {{"name", corpus.name},
+                             {"folder", std::filesystem::absolute(corpus.folder, ignored).string()},
+                             {"manifest_sha256", corpus.sha256}};
+  }
+  return text.dump();
+}
+
+/// The phones as presented.
+std::string phones_of(const protocols::ReadProtocol& read,
+                      const protocols::Condition& condition,
+                      const Word& word) {
+  const auto& talker = condition.timing_talker;
+  if (protocols::is_corpus(talker)) {
+    const auto corpus = read.corpora.find(talker.substr(protocols::kCorpusPrefix.size()));
+    const auto* const item =
+        corpus == read.corpora.end() ? nullptr : find_item(corpus->second, word.spelling);
+    if (item != nullptr) return spell(pronunciation_of(*item));
+  }
+  return spell(word.phones);
+}
+
 SessionRecord session_record(const protocols::ReadProtocol& read,
                              const std::string& participant,
                              protocols::SessionKey key) {
@@ -107,6 +135,7 @@ SessionRecord session_record(const protocols::ReadProtocol& read,
           .protocol_title = read.protocol.title,
           .protocol_text = read.text,
           .protocol_sha256 = read.sha256,
+          .cast = cast_text(read),
           .seed = read.protocol.seed,
           .program_version = BIMODAL_VERSION,
           .started_utc = utc_now()};
@@ -124,21 +153,22 @@ DeviceRecord record_of(const AudioOutput& audio) {
           .time_source = std::string{audio.time_source()}};
 }
 
-std::vector<PlanRecord> plan_records(const protocols::Protocol& protocol,
+std::vector<PlanRecord> plan_records(const protocols::ReadProtocol& read,
                                      const std::vector<protocols::PlannedTrial>& plan) {
   std::vector<PlanRecord> records;
   records.reserve(plan.size());
   for (const auto& trial : plan) {
-    const auto& condition = protocol.conditions.at(trial.condition);
+    const auto& condition = read.protocol.conditions.at(trial.condition);
     PlanRecord record{.trial = static_cast<int>(trial.index),
                       .phase = trial.phase == protocols::Phase::Practice ? "practice" : "main",
                       .block = trial.block,
                       .word = trial.word.spelling,
-                      .phones = spell(trial.word.phones),
+                      .phones = phones_of(read, condition, trial.word),
                       .condition = condition.name,
                       .auditory_talker = condition.auditory_talker,
                       .visual_talker = condition.visual_talker,
                       .noise_seed = trial.noise_seed};
+    if (trial.word.seen && condition.visual_talker) record.visual_word = trial.word.seen->spelling;
     if (condition.snr) record.snr_db = condition.snr->count();
     records.push_back(std::move(record));
   }

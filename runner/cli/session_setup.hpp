@@ -47,8 +47,9 @@ void refuse_repetition(const std::filesystem::path& data,
 [[nodiscard]] DeviceRecord record_of(const Display& display);
 [[nodiscard]] DeviceRecord record_of(const AudioOutput& audio);
 
+/// The plan as it is stored. Where a corpus speaks, the phones are those of its recording.
 [[nodiscard]] std::vector<PlanRecord> plan_records(
-    const protocols::Protocol& protocol, const std::vector<protocols::PlannedTrial>& plan);
+    const protocols::ReadProtocol& read, const std::vector<protocols::PlannedTrial>& plan);
 
 /// Now, as "2026-01-31T12:00:00Z".
 [[nodiscard]] std::string utc_now();

@@ -88,7 +88,7 @@ std::vector<Diagnostic> check_sounds(const protocols::ReadProtocol& read,
   const JsonLines lines{read.text};
   std::vector<Diagnostic> diagnostics;
   const auto find = [&](Severity severity, std::size_t condition, std::string finding) {
-    const auto pointer = fmt::format("/conditions/{}", condition);
+    const auto pointer = read.condition_pointers.at(condition);
     diagnostics.push_back({.severity = severity,
                            .file = file,
                            .line = lines.line_of(pointer),
@@ -99,12 +99,12 @@ std::vector<Diagnostic> check_sounds(const protocols::ReadProtocol& read,
   for (const auto& trial : plan) {
     try {
       if (const auto mix = preparer.mix_sound(trial)) {
-        note(clippings[trial.condition], trial.word.spelling, *mix);
+        note(clippings[trial.condition], shown_name(trial.word), *mix);
       }
     } catch (const Error& error) {
       find(Severity::Error,
            trial.condition,
-           fmt::format("the word \"{}\" cannot be made: {}", trial.word.spelling, error.what()));
+           fmt::format("the word \"{}\" cannot be made: {}", shown_name(trial.word), error.what()));
       if (diagnostics.size() >= 10) return diagnostics;  // a missing voice fails every word
     }
   }

@@ -5,6 +5,7 @@
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_setup.hpp"
+#include "runner/cli/stimuli_strip.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/preparation/trial_preparer.hpp"
 #include "stimuli/audio/sound_file.hpp"
@@ -15,7 +16,7 @@ namespace bimodal::runner {
 namespace {
 
 struct MixOptions {
-  std::string protocol;
+  ProtocolChoice protocol;
   int trial = 1;
   std::string participant = "P01";
   std::optional<int> number;
@@ -40,8 +41,8 @@ ExitCode mix_trial(const MixOptions& options) {
   }
   const auto& trial = plan.at(static_cast<std::size_t>(options.trial - 1));
   const auto& condition = read->protocol.conditions.at(trial.condition).name;
-  SpeechBank bank{read->protocol.sound.rate};
-  TrialPreparer preparer{read->protocol, bank, nullptr, Hertz{60}};
+  Repertoire repertoire{read->protocol.sound.rate, read->corpora};
+  TrialPreparer preparer{read->protocol, repertoire, nullptr, Hertz{60}};
   const auto mixed = preparer.mix_sound(trial);
   if (!mixed) {
     throw Error{fmt::format("trial {} (\"{}\") is in condition \"{}\", in which nothing is heard",
@@ -75,13 +76,13 @@ ExitCode mix_trial(const MixOptions& options) {
 void add_stimuli(CLI::App& app, Verb& chosen) {
   auto* const stimuli = app.add_subcommand("stimuli", "Makes single stimuli as files.");
   stimuli->require_subcommand(1);
+  add_stimuli_strip(*stimuli, chosen);
   auto* const mix = stimuli->add_subcommand(
       "mix",
       "Writes the very samples that `run` plays in a trial, as 32-bit float WAV.\n\n"
       "Example:\n  bimodal stimuli mix words414 --trial 20 -o trial20.wav");
   auto options = std::make_shared<MixOptions>();
-  mix->add_option("PROTOCOL", options->protocol, "a JSON file, or a protocol of the library")
-      ->required();
+  add_protocol_options(*mix, options->protocol);
   mix->add_option(
          "--trial",
          options->trial,

@@ -19,8 +19,12 @@ class TalkingFace final : public FrameSource {
   TalkingFace(synth::HeadRenderer& renderer, synth::Articulation articulation)
       : renderer_{renderer}, articulation_{std::move(articulation)} {}
 
-  void paint(Duration time, Image& image) override {
-    renderer_.draw(articulation_.at(time), image);
+  [[nodiscard]] std::int64_t picture_at(Duration time) override { return time.count(); }
+
+  [[nodiscard]] std::shared_ptr<const Image> paint(Duration time) override {
+    auto image = std::make_shared<Image>();
+    renderer_.draw(articulation_.at(time), *image);
+    return image;
   }
 
  private:

@@ -14,6 +14,9 @@ namespace bimodal::runner {
 /// it.
 class FaceTalker {
  public:
+  /// Distance of the outer eye corners, in parts of the picture's height: 90 of 312 mm.
+  static constexpr double kEyeDistance = 90.0 / 312.0;
+
   /// A face `height` pixels high (its picture is 8/9 as wide) before `background` (0xRRGGBB).
   FaceTalker(std::size_t height, std::uint32_t background);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "stimuli/audio/time_scale.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {
@@ -27,6 +28,28 @@ SoundRecord record_of(const Mix& mix) {
           .speech_end = mix.speech.end};
 }
 
+/// The sound falls silent over this time before a gate.
+constexpr Duration kGateRamp = std::chrono::milliseconds{5};
+
+std::vector<RecordingRecord> recordings_of(const Enactment& enactment, const Condition& condition) {
+  std::vector<RecordingRecord> records;
+  const auto add = [&](const char* modality,
+                       const std::optional<RecordedSource>& source,
+                       const std::optional<std::string>& talker) {
+    if (!source || !talker) return;
+    records.push_back({.modality = modality,
+                       .talker = *talker,
+                       .item = source->item,
+                       .file = source->file,
+                       .sha256 = source->sha256,
+                       .start = source->span.start,
+                       .end = source->span.end});
+  };
+  add("auditory", enactment.sound_source, condition.auditory_talker);
+  add("visual", enactment.picture_source, condition.visual_talker);
+  return records;
+}
+
 }  // namespace
 
 std::string clipping_message(const PlannedTrial& trial,
@@ -39,57 +62,72 @@ std::string clipping_message(const PlannedTrial& trial,
       "scale, "
       "{:.1f} dB of headroom lacking; lower /sound/speech_level_dbfs by at least that much",
       trial.index + 1,
-      trial.word.spelling,
+      shown_name(trial.word),
       condition,
       mix.peak,
       lacking->count());
 }
 
 TrialPreparer::TrialPreparer(const protocols::Protocol& protocol,
-                             SpeechBank& bank,
-                             FaceTalker* face,
+                             Repertoire& repertoire,
+                             FilmStudio* studio,
                              Hertz drawing_rate)
-    : protocol_{protocol}, bank_{bank}, face_{face}, drawing_rate_{drawing_rate} {}
+    : protocol_{protocol}, repertoire_{repertoire}, studio_{studio}, drawing_rate_{drawing_rate} {}
 
-const synth::SpokenItem& TrialPreparer::spoken(const PlannedTrial& trial) {
+TrialPreparer::Kept& TrialPreparer::kept(const PlannedTrial& trial) {
   const Condition& condition = protocol_.conditions.at(trial.condition);
-  return bank_.item(condition.auditory_talker.value_or(condition.timing_talker), trial.word);
+  const auto key =
+      fmt::format("{} {} {}", trial.condition, shown_name(trial.word), spell(trial.word.phones));
+  const auto found = kept_.find(key);
+  if (found != kept_.end()) return found->second;
+  return kept_.emplace(key, Kept{enact(condition, trial.word, repertoire_), std::nullopt})
+      .first->second;
 }
 
 std::optional<Mix> TrialPreparer::mix_sound(const PlannedTrial& trial) {
   const Condition& condition = protocol_.conditions.at(trial.condition);
   if (!condition.auditory_talker) return std::nullopt;
-  const auto& item = spoken(trial);
+  auto& known = kept(trial);
   const auto& noise = protocol_.sound.noise;
-  const auto known = levels_.find(&item);
-  const auto level = known != levels_.end() ? std::optional{known->second} : std::nullopt;
-  auto mixed = mix({.speech = &item.sound,
-                    .interval = speech_interval(item.utterance),
-                    .snr = condition.snr,
-                    .speech_level = protocol_.sound.speech_level,
-                    .band = {.low = noise.band_low, .high = noise.band_high},
-                    .lead = noise.lead,
-                    .trail = noise.trail,
-                    .ramp = noise.ramp,
-                    .noise_seed = trial.noise_seed,
-                    .recording_level = level},
-                   fourier_);
-  if (mixed) levels_[&item] = mixed->recording_level;
+  MixRequest request{.speech = known.enactment.sound.get(),
+                     .interval = speech_interval(known.enactment.heard),
+                     .snr = condition.snr,
+                     .speech_level = protocol_.sound.speech_level,
+                     .band = {.low = noise.band_low, .high = noise.band_high},
+                     .lead = noise.lead,
+                     .trail = noise.trail,
+                     .ramp = noise.ramp,
+                     .noise_seed = trial.noise_seed,
+                     .recording_level = known.level};
+  std::optional<Clip> cut_off;
+  if (known.enactment.gate) {
+    if (!known.level) {  // the level is that of the whole word, wherever the gate falls
+      auto whole = request;
+      whole.snr.reset();
+      request.recording_level = known.level = mix(whole, fourier_)->recording_level;
+    }
+    cut_off = gated(*known.enactment.sound, *known.enactment.gate, kGateRamp);
+    request.speech = &*cut_off;
+  }
+  auto mixed = mix(request, fourier_);
+  if (mixed) known.level = mixed->recording_level;
   return mixed;
 }
 
 PreparedTrial TrialPreparer::prepare(const PlannedTrial& trial, const Checkpoint& checkpoint) {
   const Condition& condition = protocol_.conditions.at(trial.condition);
-  const auto& item = spoken(trial);
-  PreparedTrial prepared{.plan = trial,
-                         .layout = {.recording = item.sound.duration(),
-                                    .lead = protocol_.intervals.lead,
-                                    .trail = protocol_.intervals.trail,
-                                    .sound_lead = protocol_.sound.noise.lead,
-                                    .sound_trail = protocol_.sound.noise.trail,
-                                    .av_offset = protocol_.intervals.av_offset,
-                                    .has_sound = condition.auditory_talker.has_value()},
-                         .drawing_rate = drawing_rate_};
+  const auto& enactment = kept(trial).enactment;
+  PreparedTrial prepared{
+      .plan = trial,
+      .layout = {.recording = enactment.length,
+                 .lead = protocol_.intervals.lead,
+                 .trail = protocol_.intervals.trail,
+                 .sound_lead = protocol_.sound.noise.lead,
+                 .sound_trail = protocol_.sound.noise.trail,
+                 .av_offset = condition.av_offset.value_or(protocol_.intervals.av_offset),
+                 .has_sound = condition.auditory_talker.has_value()},
+      .drawing_rate = drawing_rate_,
+      .recordings = recordings_of(enactment, condition)};
   if (auto mixed = mix_sound(trial)) {
     const auto clipping = clipping_message(trial, condition.name, *mixed);
     if (!clipping.empty()) throw Error{clipping};
@@ -100,9 +138,9 @@ PreparedTrial TrialPreparer::prepare(const PlannedTrial& trial, const Checkpoint
   }
   if (condition.visual_talker) {
     prepared.frames = frame_count(prepared.layout, drawing_rate_);
-    if (face_ != nullptr) {
-      const auto source = face_->say(item.utterance);
-      prepared.film = make_film(prepared.layout, drawing_rate_, *source, checkpoint);
+    if (studio_ != nullptr) {
+      prepared.film =
+          studio_->film(condition, enactment, prepared.layout, drawing_rate_, checkpoint);
     }
   }
   return prepared;

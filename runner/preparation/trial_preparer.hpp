@@ -7,9 +7,10 @@
 
 #include "protocols/design/plan.hpp"
 #include "runner/devices/audio_output.hpp"
-#include "runner/preparation/face_talker.hpp"
+#include "runner/preparation/enactment.hpp"
+#include "runner/preparation/film_studio.hpp"
 #include "runner/preparation/frame_source.hpp"
-#include "runner/preparation/speech_bank.hpp"
+#include "runner/preparation/repertoire.hpp"
 #include "runner/session/cue_sheet.hpp"
 #include "runner/store/records.hpp"
 #include "stimuli/audio/mix.hpp"
@@ -23,17 +24,18 @@ struct PreparedTrial {
   std::optional<Sound> sound;
   std::optional<SoundRecord> sound_record;
   Hertz drawing_rate{60};    ///< at which the frames follow each other
-  std::int64_t frames = 0;   ///< of the face; 0 if it is not seen
+  std::int64_t frames = 0;   ///< of the picture; 0 if nobody is seen
   std::optional<Film> film;  ///< absent also where pictures are not drawn (rehearsal)
+  std::vector<RecordingRecord> recordings;  ///< that are heard and seen
 };
 
 /// Turns planned trials into prepared ones. Belongs to one thread.
 class TrialPreparer {
  public:
-  /// `protocol` and `bank` are borrowed. Without `face` no pictures are drawn.
+  /// All are borrowed. Without `studio` no pictures are drawn.
   TrialPreparer(const protocols::Protocol& protocol,
-                SpeechBank& bank,
-                FaceTalker* face,
+                Repertoire& repertoire,
+                FilmStudio* studio,
                 Hertz drawing_rate);
 
   /// Throws Error, naming trial and word, if the sound would clip or cannot be made.
@@ -44,14 +46,20 @@ class TrialPreparer {
   [[nodiscard]] std::optional<Mix> mix_sound(const protocols::PlannedTrial& trial);
 
  private:
-  [[nodiscard]] const synth::SpokenItem& spoken(const protocols::PlannedTrial& trial);
+  /// Enacted once and kept.
+  struct Kept {
+    Enactment enactment;
+    std::optional<Decibels> level;  ///< of the recording, once measured
+  };
+
+  [[nodiscard]] Kept& kept(const protocols::PlannedTrial& trial);
 
   const protocols::Protocol& protocol_;
-  SpeechBank& bank_;
-  FaceTalker* face_;
+  Repertoire& repertoire_;
+  FilmStudio* studio_;
   Hertz drawing_rate_;
   FourierTransform fourier_;
-  std::unordered_map<const synth::SpokenItem*, Decibels> levels_;  ///< of recordings, once measured
+  std::unordered_map<std::string, Kept> kept_;
 };
 
 /// What must be said if a trial's sound would clip; empty if it would not.

@@ -25,6 +25,9 @@ struct SessionRecord {
   std::string protocol_title;
   std::string protocol_text;    ///< the file as read, byte for byte
   std::string protocol_sha256;  ///< of protocol_text
+  /// What was chosen when the protocol was run, as JSON: conditions left out and taken in, and the
+  /// folder and digest of each corpus. Empty: as the protocol is written, without corpora.
+  std::string cast;
   std::uint64_t seed = 0;
   std::string program_version;
   bool simulated_answers = false;  ///< a simulated observer answered
@@ -44,7 +47,8 @@ struct PlanRecord {
   std::string phase;  ///< "practice" or "main"
   int block = 0;
   std::string word;
-  std::string phones;  ///< "S T UW"
+  std::string phones;                      ///< "S T UW"
+  std::optional<std::string> visual_word;  ///< what was seen, if it was another word
   std::string condition;
   std::optional<std::string> auditory_talker;
   std::optional<std::string> visual_talker;
@@ -74,11 +78,24 @@ struct SoundRecord {
   Duration speech_end{};
 };
 
+/// A recording of a natural talker that was heard or seen.
+struct RecordingRecord {
+  std::string modality;  ///< "auditory" or "visual"
+  std::string talker;    ///< "corpus:NAME"
+  std::string item;      ///< of the corpus
+  std::string file;      ///< within the corpus's folder
+  std::string sha256;    ///< of that file
+  Duration start{};      ///< of the item within the file, margins included
+  Duration end{};
+};
+
 /// Which prepared frame each refresh of the stimulus showed, and when. Parallel arrays.
 struct RefreshRecord {
   std::vector<std::int64_t> frame;  ///< index of the prepared frame
-  std::vector<Duration> planned;    ///< session clock
-  std::vector<Duration> shown;      ///< session clock, by the display's time source
+  /// The frame of the video file that it is; -1: blank. Empty unless natural video was shown.
+  std::vector<std::int64_t> source_frame;
+  std::vector<Duration> planned;  ///< session clock
+  std::vector<Duration> shown;    ///< session clock, by the display's time source
 };
 
 struct KeystrokeRecord {
@@ -107,6 +124,7 @@ struct TrialRecord {
   Duration stimulus_end{};    ///< session clock: planned
   std::vector<OnsetRecord> onsets;
   std::optional<SoundRecord> sound;
+  std::vector<RecordingRecord> recordings;
   RefreshRecord refreshes;
   ResponseRecord response;
   std::vector<KeystrokeRecord> keystrokes;

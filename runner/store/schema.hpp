@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace bimodal::runner {
 
 /// What `PRAGMA application_id` of a bimodal file reads: "bimo".
@@ -7,10 +9,10 @@ inline constexpr int kApplicationId = 0x62696d6f;
 
 /// `PRAGMA user_version`: raised with every change of the tables; older programs refuse newer
 /// files.
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 
 /// The tables of version 1; explained column by column in SCHEMA.md.
-inline constexpr const char* kSchema = R"sql(
+inline constexpr const char* kVersion1 = R"sql(
 CREATE TABLE protocol (
   sha256 TEXT PRIMARY KEY,
   title  TEXT NOT NULL,
@@ -129,5 +131,38 @@ CREATE VIEW answers AS
          s.simulated_answers, s.simulated_time
   FROM trial t JOIN plan p USING (session, trial) JOIN session s USING (session);
 )sql";
+
+/// From version 1 to 2: natural talkers. Columns stand at the end, so that a file that was raised
+/// and one that was made new are alike.
+inline constexpr const char* kVersion2 = R"sql(
+ALTER TABLE session ADD COLUMN casting TEXT NOT NULL DEFAULT '';
+ALTER TABLE plan ADD COLUMN visual_word TEXT;
+ALTER TABLE trial ADD COLUMN refresh_source_frame TEXT;
+
+CREATE TABLE recording (
+  session  INTEGER NOT NULL,
+  trial    INTEGER NOT NULL,
+  modality TEXT NOT NULL CHECK (modality IN ('auditory', 'visual')),
+  talker   TEXT NOT NULL,
+  item     TEXT NOT NULL,
+  file     TEXT NOT NULL,
+  sha256   TEXT NOT NULL,
+  start_ns INTEGER NOT NULL,
+  end_ns   INTEGER NOT NULL,
+  PRIMARY KEY (session, trial, modality),
+  FOREIGN KEY (session, trial) REFERENCES trial (session, trial)
+) STRICT, WITHOUT ROWID;
+
+DROP VIEW answers;
+CREATE VIEW answers AS
+  SELECT s.participant, s.session, p.trial, p.phase, p.block, p.condition, p.auditory_talker,
+         p.visual_talker, p.snr_db, p.word, p.phones, t.response, t.timed_out, t.flagged,
+         (t.submitted_ns - t.stimulus_end_ns) / 1e6 AS rt_ms,
+         s.simulated_answers, s.simulated_time, p.visual_word
+  FROM trial t JOIN plan p USING (session, trial) JOIN session s USING (session);
+)sql";
+
+/// What makes each version of the one before it, from version 1 on.
+inline constexpr std::array<const char*, kSchemaVersion> kSchemaSteps{kVersion1, kVersion2};
 
 }  // namespace bimodal::runner

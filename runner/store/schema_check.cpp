@@ -41,13 +41,15 @@ void prepare_schema(Database& database, const std::string& file) {
   database.execute("PRAGMA journal_mode = WAL");
   database.execute("PRAGMA synchronous = FULL");
   database.execute("PRAGMA foreign_keys = ON");
-  if (!is_new) return;
+  if (!is_new && database.pragma("user_version") == kSchemaVersion) return;
   Transaction transaction{database};
-  if (is_empty(database)) {  // nobody was quicker
-    database.execute(kSchema);
-    database.execute(fmt::format("PRAGMA application_id = {}", kApplicationId).c_str());
-    database.execute(fmt::format("PRAGMA user_version = {}", kSchemaVersion).c_str());
+  // Asked again, for somebody may have been quicker.
+  const auto version = is_empty(database) ? 0 : database.pragma("user_version");
+  for (auto step = static_cast<std::size_t>(version); step < kSchemaSteps.size(); ++step) {
+    database.execute(kSchemaSteps.at(step));
   }
+  database.execute(fmt::format("PRAGMA application_id = {}", kApplicationId).c_str());
+  database.execute(fmt::format("PRAGMA user_version = {}", kSchemaVersion).c_str());
   transaction.commit();
 }
 

@@ -70,6 +70,7 @@ StoredSession session_from(const Statement& row) {
   session.refresh_count = static_cast<int>(row.integer(22));
   stored.planned_trials = static_cast<int>(row.integer(23));
   stored.shortened = row.integer(24) != 0;
+  session.cast = row.text(25);
   return stored;
 }
 
@@ -86,6 +87,7 @@ StoredTrial trial_from(const Statement& row, Detail detail) {
   plan.visual_talker = optional_text(row, 8);
   plan.snr_db = optional_real(row, 9);
   plan.noise_seed = unsigned_from(row.text(10));
+  plan.visual_word = optional_text(row, 21);
   auto& trial = stored.trial;
   trial.trial = plan.trial;
   trial.stimulus_start = row.duration(11);
@@ -99,6 +101,7 @@ StoredTrial trial_from(const Statement& row, Detail detail) {
     trial.refreshes.frame = numbers_from(row.text(18));
     trial.refreshes.planned = instants_from(row.text(19), trial.stimulus_start);
     trial.refreshes.shown = instants_from(row.text(20), trial.stimulus_start);
+    if (!row.is_null(22)) trial.refreshes.source_frame = numbers_from(row.text(22));
   }
   return stored;
 }
@@ -131,6 +134,22 @@ void read_sounds(Database& database, const TrialsById& trials) {
   }
 }
 
+void read_recordings(Database& database, const TrialsById& trials) {
+  Statement row{database,
+                "SELECT session, trial, modality, talker, item, file, sha256, start_ns, end_ns"
+                " FROM recording"};
+  while (row.step()) {
+    trials.at({row.integer(0), row.integer(1)})
+        ->recordings.push_back({.modality = row.text(2),
+                                .talker = row.text(3),
+                                .item = row.text(4),
+                                .file = row.text(5),
+                                .sha256 = row.text(6),
+                                .start = row.duration(7),
+                                .end = row.duration(8)});
+  }
+}
+
 void read_keystrokes(Database& database, const TrialsById& trials) {
   Statement row{
       database,
@@ -155,6 +174,7 @@ void read_events(Database& database, const TrialsById& trials) {
 std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Detail detail) {
   Database database{file, Database::Access::Read};
   check_schema(database, file.string());
+  const bool has_recordings = database.pragma("user_version") >= 2;
 
   std::vector<StoredSession> sessions;
   std::map<std::int64_t, std::size_t> position;
@@ -166,8 +186,10 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
       " display_kind, display_description, display_time_source, audio_kind, audio_description,"
       " audio_time_source, refresh_period_ns, refresh_deviation_ns, refresh_count,"
       " (SELECT count(*) FROM plan WHERE plan.session = session.session),"
-      " EXISTS (SELECT 1 FROM event WHERE event.session = session.session AND kind = 'shortened')"
-      " FROM session JOIN protocol ON sha256 = protocol_sha256 ORDER BY session"};
+      " EXISTS (SELECT 1 FROM event WHERE event.session = session.session AND kind = "
+      "'shortened'), " +
+          std::string{has_recordings ? "casting" : "''"} +
+          " FROM session JOIN protocol ON sha256 = protocol_sha256 ORDER BY session"};
   while (session_row.step()) {
     position[session_row.integer(0)] = sessions.size();
     sessions.push_back(session_from(session_row));
@@ -178,8 +200,9 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
       "SELECT session, trial, phase, block, word, phones, condition, auditory_talker,"
       " visual_talker, snr_db, noise_seed, stimulus_start_ns, stimulus_end_ns, flagged,"
       " response, submitted_ns, first_key_ns, timed_out, refresh_frame,"
-      " refresh_planned_ns, refresh_shown_ns"
-      " FROM trial JOIN plan USING (session, trial) ORDER BY session, trial"};
+      " refresh_planned_ns, refresh_shown_ns, " +
+          std::string{has_recordings ? "visual_word, refresh_source_frame" : "NULL, NULL"} +
+          " FROM trial JOIN plan USING (session, trial) ORDER BY session, trial"};
   while (trial_row.step()) {
     sessions.at(position.at(trial_row.integer(0))).trials.push_back(trial_from(trial_row, detail));
   }
@@ -193,6 +216,7 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
   }
   read_onsets(database, trials);
   read_sounds(database, trials);
+  if (has_recordings) read_recordings(database, trials);
   read_keystrokes(database, trials);
   read_events(database, trials);
   return sessions;

@@ -58,6 +58,9 @@ class SqliteStore final : public SessionStore {
           .run();
     }
     if (trial.sound) insert_sound(session, trial.trial, *trial.sound);
+    for (const auto& recording : trial.recordings) {
+      insert_recording(session, trial.trial, recording);
+    }
     int ordinal = 0;
     for (const auto& stroke : trial.keystrokes) {
       insert_keystroke_.reset()
@@ -108,6 +111,7 @@ class SqliteStore final : public SessionStore {
         .bind(session.refresh_period)
         .bind(session.refresh_deviation)
         .bind(session.refresh_count)
+        .bind(session.cast)
         .run();
   }
 
@@ -124,6 +128,7 @@ class SqliteStore final : public SessionStore {
         .bind(planned.visual_talker)
         .bind(planned.snr_db)
         .bind(std::to_string(planned.noise_seed))
+        .bind(planned.visual_word)
         .run();
   }
 
@@ -141,6 +146,26 @@ class SqliteStore final : public SessionStore {
         .bind(as_json(trial.refreshes.frame))
         .bind(as_json(trial.refreshes.planned, trial.stimulus_start))
         .bind(as_json(trial.refreshes.shown, trial.stimulus_start))
+        .bind(source_frames(trial.refreshes))
+        .run();
+  }
+
+  static std::optional<std::string> source_frames(const RefreshRecord& refreshes) {
+    if (refreshes.source_frame.empty()) return std::nullopt;
+    return as_json(refreshes.source_frame);
+  }
+
+  void insert_recording(std::int64_t session, int trial, const RecordingRecord& recording) {
+    insert_recording_.reset()
+        .bind(session)
+        .bind(trial)
+        .bind(recording.modality)
+        .bind(recording.talker)
+        .bind(recording.item)
+        .bind(recording.file)
+        .bind(recording.sha256)
+        .bind(recording.start)
+        .bind(recording.end)
         .run();
   }
 
@@ -178,10 +203,12 @@ class SqliteStore final : public SessionStore {
   Statement insert_session_{database_,
                             "INSERT INTO session VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, NULL, "
                             "NULL, ?, ?, ?, ?, ?, ?, "
-                            "?, ?, ?)"};
-  Statement insert_plan_{database_, "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+                            "?, ?, ?, ?)"};
+  Statement insert_plan_{database_, "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_trial_{database_,
-                          "INSERT INTO trial VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+                          "INSERT INTO trial VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  Statement insert_recording_{database_,
+                              "INSERT INTO recording VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_onset_{database_, "INSERT INTO onset VALUES (?, ?, ?, ?, ?, ?)"};
   Statement insert_sound_{database_,
                           "INSERT INTO sound VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};

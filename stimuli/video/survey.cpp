@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numeric>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -33,9 +33,10 @@ struct TrackView {
   AVStream* track = nullptr;
   std::optional<TrackDecoder> decoder;
   Frame first;                      ///< empty until it is decoded
-  std::optional<Duration> start;    ///< of the first frame; of the first packet before that
+  std::optional<Duration> start;    ///< of the first frame, once it is decoded
   std::optional<Duration> end;      ///< the latest end of a packet
   std::optional<Duration> reached;  ///< the latest time of decoding
+  std::optional<Duration> stored;   ///< the first one
   int silent_packets = 0;
   bool complete = true;
   std::vector<Duration> starts;
@@ -57,8 +58,9 @@ void keep_first(TrackView& view, const AVPacket* packet) {
   view.first = std::move(frame);
 }
 
-/// Samples at the packet's end that are to be thrown away.
-Duration padding_of(const AVPacket& packet, const AVStream& track) {
+/// Samples at the packet's end that are to be thrown away although its duration counts them.
+Duration padding_of(const AVPacket& packet, const AVStream& track, bool ogg) {
+  if (ogg) return {};  // whose durations do not
   constexpr std::size_t kSize = 10;
   std::size_t size = 0;
   const auto* side = av_packet_get_side_data(&packet, AV_PKT_DATA_SKIP_SAMPLES, &size);
@@ -67,23 +69,24 @@ Duration padding_of(const AVPacket& packet, const AVStream& track) {
       .value_or(Duration{});
 }
 
-void note(TrackView& view, const AVPacket& packet) {
+void note(TrackView& view, const AVPacket& packet, bool ogg) {
   const auto unit = view.track->time_base;
   const auto start = duration_of(packet.pts, unit);
   const auto stored = duration_of(packet.dts, unit);
   if (const auto time = stored ? stored : start) {
     view.reached = std::max(view.reached.value_or(*time), *time);
+    if (!view.stored) view.stored = time;
   }
   if ((packet.flags & AV_PKT_FLAG_DISCARD) != 0) return;
-  if (!start) {
-    view.complete = false;
-    return;
-  }
-  if (!view.start && !view.decoder) view.start = start;
-  auto end = *start + std::max(duration_of(packet.duration, unit).value_or(Duration{}), Duration{});
-  end -= padding_of(packet, *view.track);
+  if (!start) view.complete = false;
+  const auto known = start ? start : stored;
+  if (!known) return;
+  auto end = *known + std::max(duration_of(packet.duration, unit).value_or(Duration{}), Duration{});
+  end -= padding_of(packet, *view.track, ogg);
   view.end = std::max(view.end.value_or(end), end);
-  if (view.track->codecpar->codec_type == AVMEDIA_TYPE_VIDEO) view.starts.push_back(*start);
+  if (start && view.track->codecpar->codec_type == AVMEDIA_TYPE_VIDEO) {
+    view.starts.push_back(*start);
+  }
 }
 
 /// Whether the starts lie on the grid of `rate` from the first on, each on the next place, but for
@@ -152,7 +155,7 @@ PictureTrack picture_of(const TrackView& view, Survey& survey, Container& contai
   const auto& track = *view.track;
   const auto& frame = *view.first;
   const auto* format = av_get_pix_fmt_name(static_cast<AVPixelFormat>(frame.format));
-  const auto order = track.codecpar->field_order;
+  const int order = number_in(track.codecpar->field_order);
   survey.pixel_aspect = aspect_of(container.format(), *view.track, view.first.get());
   PictureTrack made{
       .stored_width = static_cast<std::size_t>(frame.width),
@@ -193,13 +196,14 @@ SoundTrack sound_of(const TrackView& view) {
 }
 
 /// From the track's start to its end: measured if all packets were seen, else as the header says.
-Duration length_of(const TrackView& view, bool whole, const AVFormatContext& format) {
+Duration length_of(const TrackView& view, bool whole, const Container& container) {
   const auto start = view.start.value_or(Duration{});
   auto end = view.end.value_or(start);
+  // Times of decoding stand for those that the container does not tell; frames are seen later.
+  if (!view.complete && view.stored) end += std::max(start - *view.stored, Duration{});
   if (!whole) {
     const auto own = duration_of(view.track->duration, view.track->time_base);
-    const auto all = duration_of(format.duration, AV_TIME_BASE_Q);
-    const auto claimed = own && *own > Duration{} ? own : all;
+    const auto claimed = own && *own > Duration{} ? own : container.claimed_length();
     if (claimed) end = std::max(end, start + *claimed);
   }
   return std::max(end - start, Duration{});
@@ -214,6 +218,7 @@ void look_at(TrackView& view, AVStream* track, const std::filesystem::path& file
 /// end of the file was reached.
 bool look_through(Container& container, TrackView& picture, TrackView& sound, Duration until) {
   const auto packet = new_packet();
+  const bool ogg = std::string_view{container.format().iformat->name} == "ogg";
   bool beyond = false;
   while (!(beyond && !picture.waiting() && !sound.waiting())) {
     if (!container.read(*packet)) {
@@ -224,7 +229,7 @@ bool look_through(Container& container, TrackView& picture, TrackView& sound, Du
     auto& view =
         picture.track != nullptr && packet->stream_index == picture.track->index ? picture : sound;
     keep_first(view, packet.get());
-    note(view, *packet);
+    note(view, *packet, ogg);
     if (!view.reached || !view.start || &view != (picture.track != nullptr ? &picture : &sound)) {
       continue;
     }
@@ -270,11 +275,11 @@ Survey survey_of(const std::filesystem::path& file, Duration until) {
   if (picture.first) {
     survey.times = times_of(picture);
     auto& track = survey.media.picture.emplace(picture_of(picture, survey, container));
-    track.length = include(picture, length_of(picture, survey.whole, container.format()));
+    track.length = include(picture, length_of(picture, survey.whole, container));
   }
   if (sound.first) {
     auto& track = survey.media.sound.emplace(sound_of(sound));
-    track.length = include(sound, length_of(sound, survey.whole, container.format()));
+    track.length = include(sound, length_of(sound, survey.whole, container));
   }
   survey.media.length = *end - survey.zero;
   if (survey.media.length > kLongestMedia) {

@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array<std::string_view, 4> kListKeys{"name", "rule", "sources", "words"};
-constexpr std::array<std::string_view, 2> kWordKeys{"word", "phones"};
+constexpr std::array<std::string_view, 3> kWordKeys{"word", "phones", "seen"};
 constexpr std::string_view kWordRemedy = R"(write {"word": "stew", "phones": ["S", "T", "UW"]})";
 
 std::optional<std::string> read_spelling(const json& entry,
@@ -79,7 +79,35 @@ std::optional<Word> read_word(const json& entry, const std::string& at, JudgedJs
   auto spelling = read_spelling(entry, at, judged);
   auto phones = read_phones(entry, at, judged);
   if (!spelling.has_value() || !phones.has_value()) return std::nullopt;
-  return Word{std::move(*spelling), std::move(*phones)};
+  Word word{std::move(*spelling), std::move(*phones), std::nullopt};
+  if (entry.contains("seen")) {
+    const std::string remedy{R"(name a word of this list, such as "seen": "da")"};
+    auto seen = judged.text_at(entry, at, "seen", remedy);
+    if (!seen.has_value()) return std::nullopt;
+    word.seen = SeenWord{std::move(*seen), {}};
+  }
+  return word;
+}
+
+/// Looks up the phones of what is seen.
+void find_seen(std::vector<Word>& words, JudgedJson& judged) {
+  std::map<std::string, Pronunciation> phones_of;
+  for (const auto& word : words) phones_of.emplace(word.spelling, word.phones);
+  for (auto& word : words) {
+    if (!word.seen) continue;
+    const auto found = phones_of.find(word.seen->spelling);
+    if (found == phones_of.end()) {
+      judged.find("/words",
+                  fmt::format("\"{}\" is to be seen as \"{}\", which is not in the list",
+                              word.spelling,
+                              word.seen->spelling),
+                  "add that word with its phones, or remove \"seen\"");
+    } else if (word.seen->spelling == word.spelling) {
+      word.seen.reset();
+    } else {
+      word.seen->phones = found->second;
+    }
+  }
 }
 
 std::vector<Word> read_words(const json& root, JudgedJson& judged) {
@@ -100,19 +128,26 @@ std::vector<Word> read_words(const json& root, JudgedJson& judged) {
   for (std::size_t index = 0; index < found->size(); ++index) {
     auto word = read_word((*found)[index], fmt::format("/words/{}", index), judged);
     if (!word.has_value()) continue;
-    const auto [first, is_new] = first_index.emplace(word->spelling, index);
+    const auto [first, is_new] = first_index.emplace(shown_name(*word), index);
     if (is_new) {
       words.push_back(std::move(*word));
     } else {
-      judged.find(fmt::format("/words/{}/word", index),
-                  fmt::format("\"{}\" stands already at /words/{}", word->spelling, first->second),
-                  "leave one of the two out");
+      judged.find(
+          fmt::format("/words/{}/word", index),
+          fmt::format("\"{}\" stands already at /words/{}", shown_name(*word), first->second),
+          "leave one of the two out");
     }
   }
+  find_seen(words, judged);
   return words;
 }
 
 }  // namespace
+
+std::string shown_name(const Word& word) {
+  if (!word.seen) return word.spelling;
+  return fmt::format("{} seen as {}", word.spelling, word.seen->spelling);
+}
 
 WordList read_word_list(const std::filesystem::path& file, std::vector<Diagnostic>& diagnostics) {
   JudgedJson judged{file, diagnostics};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,19 @@
 
 namespace bimodal {
 
+/// What a face says while something else is heard.
+struct SeenWord {
+  std::string spelling;  ///< lower case
+  Pronunciation phones;
+
+  bool operator==(const SeenWord&) const = default;
+};
+
 /// One item of an identification experiment.
 struct Word {
   std::string spelling;  ///< lower case
   Pronunciation phones;
+  std::optional<SeenWord> seen;  ///< absent: what is seen is what is heard
 
   bool operator==(const Word&) const = default;
 };
@@ -22,9 +32,12 @@ struct WordList {
   std::vector<Word> words;
 };
 
-/// Reads `{"words": [{"word": "stew", "phones": ["S", "T", "UW"]}, ...]}`. Appends every mistake
-/// (not JSON, unknown phone, missing key, doubled word, no words) to `diagnostics`, and returns
-/// what could be read.
+/// "ba", or "ba seen as da" for a dubbed one: how a word is named to people.
+[[nodiscard]] std::string shown_name(const Word& word);
+
+/// Reads `{"words": [{"word": "stew", "phones": ["S", "T", "UW"]}, ...]}`; a word to be dubbed onto
+/// another names it: `"seen": "da"`, one of the same list. Appends every mistake (not JSON, unknown
+/// phone, missing key, doubled word, no words) to `diagnostics`, and returns what could be read.
 [[nodiscard]] WordList read_word_list(const std::filesystem::path& file,
                                       std::vector<Diagnostic>& diagnostics);
 

@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "runner/preparation/face_talker.hpp"
+#include "runner/preparation/film_studio.hpp"
 #include "runner/preparation/trial_preparer.hpp"
 
 namespace bimodal::runner {
@@ -17,6 +17,11 @@ protocols::Protocol protocol() {
   return made;
 }
 
+const std::map<std::string, Corpus>& no_corpora() {
+  static const std::map<std::string, Corpus> none;
+  return none;
+}
+
 protocols::PlannedTrial stew() {
   return {.word = {.spelling = "stew", .phones = {Phone::S, Phone::T, Phone::UW}}, .noise_seed = 3};
 }
@@ -24,8 +29,8 @@ protocols::PlannedTrial stew() {
 /// Mixing in noise and hashing: what a rehearsed trial costs.
 void prepare_the_sound_of_a_trial(benchmark::State& state) {
   const auto made = protocol();
-  SpeechBank bank{made.sound.rate};
-  TrialPreparer preparer{made, bank, nullptr, Hertz{60}};
+  Repertoire repertoire{made.sound.rate, no_corpora()};
+  TrialPreparer preparer{made, repertoire, nullptr, Hertz{60}};
   const auto trial = stew();
   for (auto _ : state) benchmark::DoNotOptimize(preparer.prepare(trial));
 }
@@ -35,9 +40,9 @@ BENCHMARK(prepare_the_sound_of_a_trial)->Unit(benchmark::kMillisecond);
 /// The same and every picture, 640 x 720 at 60 Hz: must be shorter than a trial lasts (about 5 s).
 void prepare_a_bimodal_trial_with_its_pictures(benchmark::State& state) {
   const auto made = protocol();
-  SpeechBank bank{made.sound.rate};
-  FaceTalker face{720, 0x606060};
-  TrialPreparer preparer{made, bank, &face, Hertz{60}};
+  Repertoire repertoire{made.sound.rate, no_corpora()};
+  FilmStudio studio{made.window, no_corpora()};
+  TrialPreparer preparer{made, repertoire, &studio, Hertz{60}};
   const auto trial = stew();
   std::size_t pictures = 0;
   for (auto _ : state) pictures = preparer.prepare(trial).film->pictures.size();

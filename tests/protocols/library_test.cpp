@@ -13,21 +13,34 @@
 namespace bimodal::protocols {
 namespace {
 
-TEST(Library, HasNothingToComplainOf) {
+/// As without a corpus: the synthetic voice speaks, the natural face is left out.
+ReadOptions without_natural_face() {
+  return {.cast = {.without = {"V_nat"}}};
+}
+
+bool tells_of_a_stand_in(const Diagnostic& diagnostic) {
+  return diagnostic.severity == Severity::Warning &&
+         diagnostic.finding.find("takes its place") != std::string::npos;
+}
+
+TEST(Library, HasNothingToComplainOfButTheMissingCorpus) {
   std::size_t protocols = 0;
   for (const auto& entry : std::filesystem::directory_iterator{asset("protocols/library")}) {
     if (entry.path().extension() != ".json") continue;
     ++protocols;
-    for (const auto& diagnostic : read_protocol(entry.path()).diagnostics) {
-      ADD_FAILURE() << describe(diagnostic);
+    const bool needs_corpus = entry.path().filename().string().starts_with("words4");
+    const auto options = needs_corpus ? without_natural_face() : ReadOptions{};
+    for (const auto& diagnostic : read_protocol(entry.path(), options).diagnostics) {
+      if (!tells_of_a_stand_in(diagnostic)) ADD_FAILURE() << describe(diagnostic);
     }
   }
-  EXPECT_GE(protocols, 2U);
+  EXPECT_GE(protocols, 3U);
 }
 
-// Cohen & Massaro (1993), section 5: 414 words, auditory at -8 dB, visual, and both.
+// Cohen & Massaro (1993), section 5: 414 words, auditory at -8 dB, visual, and both; the natural
+// face as control.
 TEST(Words414, IsTheExperimentOfSectionFive) {
-  const auto read = read_protocol(asset("protocols/library/words414.json"));
+  const auto read = read_protocol(asset("protocols/library/words414.json"), without_natural_face());
   EXPECT_EQ(read.words.words.size(), 414U);
   EXPECT_EQ(read.practice.size(), 12U);
   ASSERT_EQ(read.protocol.conditions.size(), 3U);
@@ -42,8 +55,40 @@ TEST(Words414, IsTheExperimentOfSectionFive) {
   EXPECT_EQ(bimodal.snr, Decibels{-8});
 }
 
+TEST(Words414, WithoutACorpusTheSyntheticVoiceStandsInAndTheNaturalFaceIsMissed) {
+  const auto file = asset("protocols/library/words414.json");
+  const auto whole = read_protocol(file);
+  ASSERT_TRUE(has_errors(whole.diagnostics));
+  for (const auto& diagnostic : whole.diagnostics) {
+    if (diagnostic.severity != Severity::Error) continue;
+    EXPECT_EQ(diagnostic.pointer, "/conditions/3/visual/talker");
+    EXPECT_NE(diagnostic.remedy.find("--without V_nat"), std::string::npos);
+  }
+  for (const auto& condition : read_protocol(file, without_natural_face()).protocol.conditions) {
+    EXPECT_EQ(condition.timing_talker, "festival:kal");
+  }
+}
+
+TEST(Words420, PresentsWordsOfItsOwnAtThreeTimesTheirSpeed) {
+  const auto read =
+      read_protocol(asset("protocols/library/words420-compressed.json"), without_natural_face());
+  EXPECT_EQ(read.words.words.size(), 420U);
+  ASSERT_EQ(read.protocol.conditions.size(), 3U);
+  for (const auto& condition : read.protocol.conditions) {
+    EXPECT_EQ(condition.manner.rate, 3.0);
+    EXPECT_EQ(condition.snr, std::nullopt);
+  }
+}
+
+TEST(Cast, ConditionsThatDoNotExistCannotBeLeftOut) {
+  const auto read = read_protocol(asset("protocols/library/first-steps.json"),
+                                  {.cast = {.without = {"bimodl"}, .with = {}}});
+  ASSERT_TRUE(has_errors(read.diagnostics));
+  EXPECT_NE(describe(read.diagnostics[0]).find("\"bimodl\""), std::string::npos);
+}
+
 TEST(Words414, GivesEachParticipant138WordsPerConditionInSixBlocks) {
-  const auto read = read_protocol(asset("protocols/library/words414.json"));
+  const auto read = read_protocol(asset("protocols/library/words414.json"), without_natural_face());
   for (int participant = 1; participant <= 6; ++participant) {
     const auto plan = make_plan(read.protocol, read.words, read.practice, {participant, 1});
     ASSERT_EQ(plan.size(), 426U);

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Chooses the words that the experiments present, by a rule without any chance in it.
 
-Writes into stimuli/assets/words (or the folder given) three lists of one format, and a table:
+Writes into stimuli/assets/words (or the folder given) four lists of one format, and a table:
 
   monosyllables-414.json        the main list
-  practice-12.json              practice words, none of them in the main list
+  monosyllables-420.json        the list of the compressed-speech experiment; none is in the main list
+  practice-12.json              practice words, none of them in the other lists
   familiar-monosyllables.json   what a simulated listener may answer
   proportions.csv               how often each sound stands where, in English and in the main list
 
@@ -33,6 +34,7 @@ SOURCES = (
 
 VOWELS = set("AA AE AH AO AW AY EH ER EY IH IY OW OY UH UW".split())
 MAIN_SIZE = 414
+COMPRESSED_SIZE = 420
 PRACTICE_SIZE = 12
 SHORTEST, LONGEST = 2, 8  # letters
 NONE = "-"  # in place of a consonant that is not there
@@ -51,6 +53,8 @@ def main():
     chosen = choose(pool, quotas(english, MAIN_SIZE), MAIN_SIZE, dictionary)
     rest = [word for word in pool if word not in chosen]
     practice = choose(rest, quotas(english, PRACTICE_SIZE), PRACTICE_SIZE, dictionary)
+    rest = [word for word in rest if word not in practice]
+    compressed = choose(rest, quotas(english, COMPRESSED_SIZE), COMPRESSED_SIZE, dictionary)
     answers = possible_answers(familiar, dictionary)
 
     write(
@@ -60,6 +64,13 @@ def main():
         " vowel, final consonant and cluster sizes in the proportions of familiar uninflected"
         " monosyllables",
         chosen,
+        dictionary,
+    )
+    write(
+        folder / "monosyllables-420.json",
+        "420 monosyllables",
+        "as the 414 monosyllables, of which none is here",
+        compressed,
         dictionary,
     )
     write(
@@ -78,7 +89,7 @@ def main():
         dictionary,
     )
     print(f"{len(uninflected)} uninflected familiar monosyllables, {len(pool)} may be presented,")
-    print(f"{len(chosen)} chosen, {len(practice)} for practice, {len(answers)} possible answers")
+    print(f"{len(chosen)} and {len(compressed)} chosen, {len(practice)} for practice, {len(answers)} possible answers")
     worst = write_proportions(folder / "proportions.csv", english, chosen, dictionary)
     print(f"largest distance from a quota: {worst} words")
 

@@ -87,6 +87,24 @@ TEST(FestivalLab, BeginsEachLabelWhereTheOneBeforeItEnds) {
             one_tier("words", {{0ms, 500ms, "two words"}}));
 }
 
+TEST(FestivalLab, OfFestivalItselfIsAnUtterance) {
+  if (std::system("command -v festival >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "festival is not installed";
+  }
+  const label_cases::Folder folder;
+  const auto lab = (folder / "f.lab").string();
+  const auto script = folder.holding(
+      "say.scm", "(utt.save.segs (utt.synth (Utterance Phones (pau k ae t pau))) \"" + lab + "\")");
+  const auto command = "festival -b '" + script.string() + "' >/dev/null 2>&1";
+  if (std::system(command.c_str()) != 0) GTEST_SKIP() << "festival has no voice";
+  const auto labels = read_labels(lab);
+  std::string said;
+  for (const auto& timed : utterance_of(*phone_tier(labels), labels.end).phones) {
+    said += std::string{symbol(timed.phone)} + " ";
+  }
+  EXPECT_EQ(said, "rest K AE T rest ");
+}
+
 TEST(FestivalLab, RefusesWhatIsWrongWithItsLine) {
   EXPECT_THAT(fault_of("#\n0.5 100 a\n0.4 100 b\n", "d.lab"), HasSubstr("d.lab:3: "));
   EXPECT_THAT(fault_of("#\n0.5 pau\n", "d.lab"), HasSubstr("d.lab:2: \"0.5\" is not followed by"));
@@ -163,6 +181,7 @@ TEST(CsvLabels, RefuseWhatIsWrongWithItsLine) {
   EXPECT_THAT(fault("0,1,a\"b\n"), HasSubstr("f.csv:2: a quotation mark within"));
   EXPECT_THAT(fault_of("start_s;end_s;text\n0;1;a\n", "f.csv"),
               AllOf(HasSubstr("f.csv:1: there is no column \"start_s\""), HasSubstr("commas")));
+  EXPECT_THAT(fault(std::string(1'000, ',')), HasSubstr("f.csv:2: more than 1000 fields"));
   EXPECT_THAT(fault_of("", "f.csv"), HasSubstr("f.csv: the file is empty"));
 }
 

@@ -79,7 +79,7 @@ TEST(Monosyllables, Are414DifferentWords) {
 
 TEST(Monosyllables, HaveTheDictionarysOnlyPronunciationAndOneSyllable) {
   for (const WordList* list : {&main_list(), &practice(), &familiar()}) {
-    for (const auto& [spelling, phones] : list->words) {
+    for (const auto& [spelling, phones, seen] : list->words) {
       ASSERT_EQ(dictionary().pronunciations(spelling).size(), 1U) << spelling;
       EXPECT_EQ(dictionary().pronunciations(spelling)[0], phones) << spelling;
       EXPECT_TRUE(is_one_syllable(phones)) << spelling;
@@ -91,7 +91,7 @@ TEST(Monosyllables, HaveTheDictionarysOnlyPronunciationAndOneSyllable) {
 TEST(Monosyllables, SoundLikeNoOtherWordOfTheirsOrOfThePracticeWords) {
   std::map<Pronunciation, std::string> heard;
   for (const WordList* list : {&main_list(), &practice()}) {
-    for (const auto& [spelling, phones] : list->words) {
+    for (const auto& [spelling, phones, seen] : list->words) {
       EXPECT_TRUE(heard.emplace(phones, spelling).second) << spelling << " = " << heard[phones];
     }
   }
@@ -100,12 +100,12 @@ TEST(Monosyllables, SoundLikeNoOtherWordOfTheirsOrOfThePracticeWords) {
 TEST(Monosyllables, SoundLikeNoOtherFamiliarMonosyllable) {
   std::map<Pronunciation, int> count;
   std::set<std::string> answers;
-  for (const auto& [spelling, phones] : familiar().words) {
+  for (const auto& [spelling, phones, seen] : familiar().words) {
     ++count[phones];
     answers.insert(spelling);
   }
   for (const WordList* list : {&main_list(), &practice()}) {
-    for (const auto& [spelling, phones] : list->words) {
+    for (const auto& [spelling, phones, seen] : list->words) {
       EXPECT_TRUE(answers.contains(spelling)) << spelling;
       EXPECT_EQ(count[phones], 1) << spelling;
     }
@@ -116,7 +116,7 @@ TEST(Monosyllables, HaveEveryConsonantThatEnglishAllowsThereAndEveryVowelOfTheDi
   std::set<Phone> initial;
   std::set<Phone> final;
   std::set<Phone> vowels;
-  for (const auto& [spelling, phones] : main_list().words) {
+  for (const auto& [spelling, phones, seen] : main_list().words) {
     initial.insert(phones.front());
     final.insert(phones.back());
     vowels.insert(phones[vowel_at(phones)]);
@@ -188,6 +188,22 @@ TEST(Monosyllables, ThePracticeWordsAreTwelveOutsideTheList) {
   EXPECT_EQ(practice().words.size(), 12U);
 }
 
+// Lists of different experiments, which one person may take part in both.
+TEST(Monosyllables, OfTheCompressedSpeechExperimentAre420AndInNoOtherList) {
+  const auto& compressed = words("monosyllables-420.json");
+  EXPECT_EQ(compressed.words.size(), 420U);
+  std::set<std::string> others;
+  for (const WordList* list : {&main_list(), &practice()}) {
+    for (const auto& word : list->words) others.insert(word.spelling);
+  }
+  for (const auto& word : compressed.words) {
+    EXPECT_FALSE(others.contains(word.spelling)) << word.spelling;
+    ASSERT_EQ(dictionary().pronunciations(word.spelling).size(), 1U) << word.spelling;
+    EXPECT_EQ(dictionary().pronunciations(word.spelling)[0], word.phones) << word.spelling;
+    EXPECT_TRUE(is_one_syllable(word.phones)) << word.spelling;
+  }
+}
+
 TEST(Monosyllables, TheToolWritesTheSameBytesAgain) {
   const auto folder = std::filesystem::path{::testing::TempDir()} / "bimodal-select-words";
   std::filesystem::create_directories(folder);
@@ -197,6 +213,7 @@ TEST(Monosyllables, TheToolWritesTheSameBytesAgain) {
   ASSERT_EQ(std::system(command.c_str()), 0)
       << "needs python3, wamerican-small and pocketsphinx-en-us";
   for (const auto* const file : {"monosyllables-414.json",
+                                 "monosyllables-420.json",
                                  "practice-12.json",
                                  "familiar-monosyllables.json",
                                  "proportions.csv"}) {

@@ -1,0 +1,85 @@
+#include "runner/preparation/repertoire.hpp"
+
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "stimuli/audio/resample.hpp"
+#include "stimuli/base/error.hpp"
+#include "stimuli/video/media_file.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+constexpr std::string_view kFestival = "festival:";
+constexpr std::string_view kCorpus = "corpus:";
+
+/// The very length: the sound of a stretch is rounded to samples, and an utterance ends with it.
+void end_with(Utterance& utterance, Duration end) {
+  if (utterance.phones.empty()) return;
+  auto& last = utterance.phones.back();
+  if (last.phone == Phone::Rest && end > last.start) last.duration = end - last.start;
+}
+
+}  // namespace
+
+Performance Repertoire::speak(const std::string& talker,
+                              const std::string& spelling,
+                              const Pronunciation& phones) {
+  auto voice = voices_.find(talker);
+  if (voice == voices_.end()) {
+    voice = voices_.emplace(talker, synth::Voice{talker.substr(kFestival.size())}).first;
+  }
+  auto spoken = voice->second.speak(spelling, phones);
+  return {.sound = resample(spoken.sound, rate_),
+          .utterance = std::move(spoken.utterance),
+          .source = std::nullopt};
+}
+
+Performance Repertoire::play(const std::string& name, const std::string& spelling) const {
+  const auto corpus = corpora_.find(name);
+  if (corpus == corpora_.end()) throw Error{fmt::format("there is no corpus '{}'", name)};
+  const auto* const item = find_item(corpus->second, spelling);
+  if (item == nullptr) {
+    throw Error{
+        fmt::format("the corpus '{}' has no item without doubt for \"{}\"", name, spelling)};
+  }
+  const auto& recording = corpus->second.recordings.at(item->recording);
+  Performance performance{
+      .sound = {.rate = rate_, .samples = {}},
+      .utterance = utterance_of(*item),
+      .source = RecordedSource{.corpus = name,
+                               .item = item->name,
+                               .file = recording.file,
+                               .sha256 = recording.sha256,
+                               .path = media_file(corpus->second, item->recording),
+                               .span = {item->start, item->end}}};
+  const auto& source = *performance.source;
+  if (examine_media(source.path).sound) {
+    performance.sound = read_sound_track(source.path, rate_, source.span);
+    end_with(performance.utterance, performance.sound.duration());
+  }
+  return performance;
+}
+
+const Performance& Repertoire::perform(const std::string& talker,
+                                       const std::string& spelling,
+                                       const Pronunciation& phones) {
+  const std::lock_guard lock{mutex_};
+  auto& kept = performances_[talker + ' ' + spelling + ' ' + spell(phones)];
+  if (kept) return *kept;
+  if (talker.starts_with(kFestival)) {
+    kept = std::make_unique<Performance>(speak(talker, spelling, phones));
+  } else if (talker.starts_with(kCorpus)) {
+    kept = std::make_unique<Performance>(play(talker.substr(kCorpus.size()), spelling));
+  } else {
+    throw Error{fmt::format(
+        "the talker '{}' is not known; use 'festival:kal', 'festival:slt' or 'corpus:NAME'",
+        talker)};
+  }
+  return *kept;
+}
+
+}  // namespace bimodal::runner
