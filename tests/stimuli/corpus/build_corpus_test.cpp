@@ -13,6 +13,7 @@
 #include "stimuli/corpus/contact_sheet.hpp"
 #include "stimuli/corpus/word_list_of.hpp"
 #include "stimuli/labels/label_file.hpp"
+#include "stimuli/picture/image.hpp"
 #include "stimuli/words/dictionary.hpp"
 #include "tests/stimuli/corpus/corpus_folder.hpp"
 
