@@ -205,6 +205,24 @@ TEST_F(EnactmentTest, AGatedWordKeepsTheLevelOfTheWholeOne) {
   }
 }
 
+TEST_F(EnactmentTest, NeighboursInTheMarginsOfAWordAreSilent) {
+  make_corpus();
+  auto& item = corpora_.at("made").items[0];
+  item.clear = SpeechInterval{item.start + 200ms, item.end - 150ms};
+  Repertoire repertoire{Hertz{48'000}, corpora_};
+  const auto& samples = repertoire.perform("corpus:made", "ba", {}).sound.samples;
+  const std::size_t from = 48 * 200;
+  const std::size_t to = samples.size() - 48 * 150;
+  const auto loudest = [&](std::size_t first, std::size_t last) {
+    float peak = 0.0F;
+    for (std::size_t i = first; i < last; ++i) peak = std::max(peak, std::abs(samples[i]));
+    return peak;
+  };
+  EXPECT_EQ(loudest(0, from), 0.0F);
+  EXPECT_EQ(loudest(to + 1, samples.size()), 0.0F);
+  EXPECT_GT(loudest(from, to), 0.01F);
+}
+
 TEST_F(EnactmentTest, AWordThatNobodySaysIsNamed) {
   make_corpus();
   Repertoire repertoire{Hertz{48'000}, corpora_};
