@@ -7,6 +7,7 @@
 
 #include "stimuli/alignment/acoustic_model.hpp"
 #include "stimuli/alignment/cepstra.hpp"
+#include "stimuli/alignment/edge_correction.hpp"
 #include "stimuli/alignment/search_sound.hpp"
 #include "stimuli/alignment/word_graph.hpp"
 #include "stimuli/base/error.hpp"
@@ -103,6 +104,13 @@ void make_room(std::vector<TimedPhone>& phones, Duration end) {
   }
 }
 
+/// What a word's fit is computed from.
+struct WordFit {
+  std::size_t first_frame = 0;
+  std::size_t frames = 0;
+  double likelihood = 0.0;
+};
+
 }  // namespace
 
 struct Aligner::Decoder {
@@ -124,42 +132,51 @@ Alignment Aligner::align(const Clip& sound, std::span<const Phone> phones) {
 Alignment Aligner::align(const Clip& sound, std::span<const SpokenWord> words) {
   refuse_impossible_words(words);
   refuse_impossible_length(sound, words);
+  const auto& model = decoder_->model;
   const auto heard = search_sound(sound);
-  const auto scores = decoder_->model.score(decoder_->cepstra.make(heard.samples));
+  const auto cepstra = decoder_->cepstra.make(heard.samples);
+  const auto scores = model.score(cepstra, context_free_units(model));
   const auto graph = graph_of(words);
-  const auto path = best_path(graph.nodes, scores, decoder_->model);
-  if (!path) throw std::logic_error{"an alignment of a long enough recording always exists"};
+  const auto coarse = best_path(graph.nodes, scores, model);
+  if (!coarse) throw std::logic_error{"a path through a long enough recording always exists"};
+  const auto chain = chain_of(*coarse, graph, model);
+  const auto path = best_path(chain.graph.nodes, model.score(cepstra, chain.units), model);
+  if (!path) throw std::logic_error{"the coarse path has become impossible"};
 
   Alignment made;
   for (const auto& word : words) made.words.push_back({.spelling = word.spelling});
-  std::vector<double> likelihoods(words.size());
-  std::vector<std::size_t> begins(words.size());
-  std::vector<std::size_t> frames(words.size());
+  std::vector<WordFit> fits(words.size());
   for (const auto& step : *path) {
-    const auto phone = graph.nodes[step.node].phone;
-    const auto start = static_cast<std::int64_t>(step.first_frame) * CepstraMaker::kFrame;
-    if (const auto word = graph.word[step.node]) {
+    const auto phone = chain.graph.nodes[step.node].phone;
+    if (const auto word = chain.graph.word[step.node]) {
       if (made.words[*word].phones++ == 0) {
         made.words[*word].first_phone = made.utterance.phones.size();
-        begins[*word] = step.first_frame;
+        fits[*word].first_frame = step.first_frame;
       }
-      frames[*word] += step.frames;
-      likelihoods[*word] +=
-          phone_likelihood(phone, step.first_frame, step.frames, scores, decoder_->model);
+      fits[*word].frames += step.frames;
+      fits[*word].likelihood +=
+          phone_likelihood(context_free_node(phone), step.first_frame, step.frames, scores, model);
     }
+    const auto start = static_cast<std::int64_t>(step.first_frame) * CepstraMaker::kFrame;
     made.utterance.phones.push_back({phone, start - heard.padding + kShift, {}});
   }
-  double all = 0.0;
-  std::size_t all_frames = 0;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const double lacking =
-        likelihoods[i] - free_likelihood(begins[i], frames[i], scores, decoder_->model);
-    made.fit_of_word.push_back(lacking / static_cast<double>(frames[i]));
-    all += lacking;
-    all_frames += frames[i];
-  }
-  made.fit = all / static_cast<double>(all_frames);
+  correct_edges(made.utterance.phones, heard);
   make_room(made.utterance.phones, sound.duration());
+
+  std::vector<PhoneNode> any_phones;
+  for (const Phone phone : all_phones()) {
+    if (modelled(phone) == phone) any_phones.push_back(context_free_node(phone));
+  }
+  double lacking = 0.0;
+  std::size_t frames = 0;
+  for (const auto& fit : fits) {
+    const double lacks =
+        fit.likelihood - free_likelihood(any_phones, fit.first_frame, fit.frames, scores, model);
+    made.fit_of_word.push_back(lacks / static_cast<double>(fit.frames));
+    lacking += lacks;
+    frames += fit.frames;
+  }
+  made.fit = lacking / static_cast<double>(frames);
   return made;
 }
 

@@ -32,7 +32,8 @@ std::vector<Cepstra> with_slopes(std::span<const StaticCepstra> frames) {
   std::vector<Cepstra> made(frames.size());
   for (std::ptrdiff_t n = 0; n <= last; ++n) {
     const auto at = [&](std::ptrdiff_t offset, std::size_t i) {
-      return frames[static_cast<std::size_t>(std::clamp(n + offset, std::ptrdiff_t{0}, last))].at(i);
+      return frames[static_cast<std::size_t>(std::clamp(n + offset, std::ptrdiff_t{0}, last))].at(
+          i);
     };
     auto& frame = made[static_cast<std::size_t>(n)];
     for (std::size_t i = 0; i < kCoefficients; ++i) {
@@ -74,9 +75,10 @@ struct CepstraMaker::FrontEnd {
       sphinx.reset(fe_init_auto_r(options.get()));
     }
     if (!sphinx || fe_get_output_size(sphinx.get()) != static_cast<int>(kCoefficients)) {
-      throw Error{fmt::format("setting the front end of '{}' up: SphinxBase cannot; reinstall the "
-                              "Debian package pocketsphinx-en-us",
-                              parameters.string())};
+      throw Error{
+          fmt::format("setting the front end of '{}' up: SphinxBase cannot; reinstall the "
+                      "Debian package pocketsphinx-en-us",
+                      parameters.string())};
     }
   }
 

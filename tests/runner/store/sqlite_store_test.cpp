@@ -73,7 +73,17 @@ TrialRecord trial(int number) {
   record.onsets = {{"visual", 5s, 5s + 1ms, "swap_returned"},
                    {"auditory", 5s, std::nullopt, "none"}};
   record.sound = SoundRecord{.sha256 = "f00", .rate_hz = 48'000, .samples = 3, .noise_dbfs = -18.0};
-  record.refreshes = {{0, 1}, {5s, 5s + 16ms}, {5s + 1ms, 5s + 17ms}};
+  record.refreshes = {.frame = {0, 1},
+                      .source_frame = {31, -1},
+                      .planned = {5s, 5s + 16ms},
+                      .shown = {5s + 1ms, 5s + 17ms}};
+  record.recordings = {{.modality = "visual",
+                        .talker = "corpus:natural",
+                        .item = "stew-2",
+                        .file = "media/one.mp4",
+                        .sha256 = "f00",
+                        .start = 12s,
+                        .end = 13s}};
   record.response = {.text = "st\xc3\xbc 'DROP TABLE", .submitted = 8s, .first_key = 7s};
   record.keystrokes = {{7s, "poll", "s"}, {8s, "poll", "Enter"}};
   record.events = {{5s, "late_frame", "2 refreshes"}};
