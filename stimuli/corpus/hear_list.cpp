@@ -215,7 +215,7 @@ class ListSearch {
         tell("aligning the words", matches.size());
       };
     });
-    doubt_alleged_takes(matches, aligned);
+    doubt_alleged_takes(matches, late, aligned);
     SaidWords said;
     std::vector<bool> is_word(chunks_.size());
     for (std::size_t index = 0; index < matches.size(); ++index) {
@@ -231,10 +231,12 @@ class ListSearch {
   /// What sounds like a word said again may be the word after it, if that is missing: neighbours in
   /// an alphabetical list sound alike.
   void doubt_alleged_takes(const std::vector<Match>& matches,
+                           const std::vector<Match>& late,
                            std::vector<std::vector<SaidWord>>& aligned) const {
     std::vector<bool> found(words_.size() + 1);
     found.back() = true;
     for (const auto& match : matches) {
+      if (std::ranges::find(late, match) != late.end()) continue;
       found[match.word] = true;
       if (match.with_next) found[match.word + 1] = true;
     }
@@ -242,7 +244,7 @@ class ListSearch {
       const auto word = matches[i].word;
       if (matches[i - 1].word != word || found[word + 1]) continue;
       aligned[i].front().doubts.push_back(
-          fmt::format("may be \"{}\", which is missing", words_[word + 1].spelling));
+          fmt::format("may be \"{}\", which is not in its place", words_[word + 1].spelling));
     }
   }
 

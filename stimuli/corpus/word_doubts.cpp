@@ -48,11 +48,11 @@ std::vector<SaidWord> said_words(const Alignment& alignment, Duration start) {
     made.doubts = duration_doubts(made.phones);
     const double fit = alignment.fit_of_word.at(i);
     made.fit = fit;
-    if (fit < kPoorFit) {
+    if (fit < kDoubtfulFit) {
       made.doubts.push_back(
           fmt::format("its sound hardly fits the phones (fit {:.1f}, good words are above {:.1f})",
                       fit,
-                      kPoorFit));
+                      kDoubtfulFit));
     }
     said.push_back(std::move(made));
   }
