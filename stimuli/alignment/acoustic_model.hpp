@@ -31,12 +31,14 @@ struct Transitions {
   std::array<float, kStates> leave{};
 };
 
+inline constexpr std::size_t kAllFrames = std::numeric_limits<std::size_t>::max();
+
 /// A phone as it is in some context, and the frames for which its scores are wanted.
 struct PhoneUnit {
   Phone phone = Phone::Rest;  ///< as modelled
   std::array<std::uint16_t, kStates> senones{};
   std::size_t first_frame = 0;
-  std::size_t end_frame = std::numeric_limits<std::size_t>::max();
+  std::size_t end_frame = kAllFrames;
 };
 
 /// How well each frame fits each state of each unit: log likelihoods, natural logarithm.

@@ -12,7 +12,7 @@ constexpr std::size_t kDensities = GaussianCodebook::kDensities;
 constexpr std::size_t kDimensions = GaussianCodebook::kDimensions;
 constexpr float kSmallestVariance = 1e-4F;
 /// Densities whose logarithm is that much below the largest one's change no mixture.
-constexpr float kNegligible = 12.0F;
+constexpr float kNegligible = 9.0F;
 /// Of a mixture, so that its logarithm is finite.
 constexpr float kSmallestMixture = 1e-30F;
 

@@ -15,12 +15,21 @@ PlaceInWord place_in_word(bool first, bool last) {
 
 }  // namespace
 
-std::vector<PhoneUnit> context_free_units(const AcousticModel& model) {
+std::vector<PhoneUnit> context_free_units(const AcousticModel& model,
+                                          std::size_t first_frame,
+                                          std::size_t end_frame) {
   std::vector<PhoneUnit> units;
   for (const Phone phone : all_phones()) {
     units.push_back(model.unit(phone));
-    if (modelled(phone) != phone) units.back().end_frame = 0;
+    units.back().first_frame = first_frame;
+    units.back().end_frame = modelled(phone) == phone ? end_frame : first_frame;
   }
+  return units;
+}
+
+std::vector<PhoneUnit> units_of(const WordGraph& graph, const AcousticModel& model) {
+  auto units = context_free_units(model, 0, 0);
+  for (const auto& node : graph.nodes) units[node.unit].end_frame = kAllFrames;
   return units;
 }
 

@@ -15,9 +15,14 @@ struct WordGraph {
   std::vector<std::optional<std::size_t>> word;  ///< of each node; absent: rest
 };
 
-/// The units of all phones in no particular context, in order of Phone; none is wanted for a phone
-/// that is modelled as another one.
-[[nodiscard]] std::vector<PhoneUnit> context_free_units(const AcousticModel& model);
+/// The units of all phones in no particular context, in order of Phone, wanted in some frames only;
+/// none is wanted for a phone that is modelled as another one.
+[[nodiscard]] std::vector<PhoneUnit> context_free_units(const AcousticModel& model,
+                                                        std::size_t first_frame,
+                                                        std::size_t end_frame);
+
+/// The same for the phones of a graph and all frames; no others are wanted.
+[[nodiscard]] std::vector<PhoneUnit> units_of(const WordGraph& graph, const AcousticModel& model);
 
 /// A node of one of those units, with nothing before it.
 [[nodiscard]] PhoneNode context_free_node(Phone phone);
