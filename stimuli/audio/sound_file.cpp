@@ -1,7 +1,6 @@
 #include "stimuli/audio/sound_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -9,13 +8,11 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <system_error>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sndfile.h>
-#include <unistd.h>
 
+#include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal {
@@ -85,50 +82,6 @@ void require_within_full_scale(const Clip& sound, const std::filesystem::path& f
       fmt::format("24-bit samples would clip, it is {:.1f} dB too loud", 20 * std::log10(largest)),
       "lower its level by that much or write floats");
 }
-
-/// Removes the half-written file unless it was kept.
-class Draft {
- public:
-  explicit Draft(const std::filesystem::path& target)
-      : path_{target.string() + fmt::format(".{}.part", ::getpid())}, target_{target} {}
-
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-  Draft(Draft&&) = delete;
-  Draft& operator=(Draft&&) = delete;
-
-  ~Draft() {
-    std::error_code ignored;
-    if (!kept_) std::filesystem::remove(path_, ignored);
-  }
-
-  [[nodiscard]] const std::string& path() const { return path_; }
-
-  /// Gives the draft its final name once its content is on the disk.
-  void keep() {
-    std::error_code failure = sync();
-    if (!failure) std::filesystem::rename(path_, target_, failure);
-    if (failure) {
-      refuse(
-          "write", target_, failure.message(), "check the folder, its permissions and free space");
-    }
-    kept_ = true;
-  }
-
- private:
-  [[nodiscard]] std::error_code sync() const {
-    const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) return {errno, std::generic_category()};
-    const int outcome = ::fsync(descriptor);
-    const int reason = errno;
-    ::close(descriptor);
-    return outcome == 0 ? std::error_code{} : std::error_code{reason, std::generic_category()};
-  }
-
-  std::string path_;
-  std::filesystem::path target_;
-  bool kept_ = false;
-};
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "stimuli/base/json_lines.hpp"
+#include "stimuli/base/utf8.hpp"
 
 namespace bimodal {
 
@@ -15,22 +16,6 @@ using Json = nlohmann::json;
 
 unsigned byte_at(std::string_view text, std::size_t index) {
   return static_cast<unsigned char>(text[index]);
-}
-
-/// Length of the well-formed UTF-8 character that begins there (Unicode 15, table 3-7); 0 if there
-/// is none.
-std::size_t character_length(std::string_view text, std::size_t at) {
-  const unsigned lead = byte_at(text, at);
-  if (lead < 0x80U) return 1;
-  const std::size_t length = lead < 0xE0U ? 2 : lead < 0xF0U ? 3 : 4;
-  if (lead < 0xC2U || lead > 0xF4U || at + length > text.size()) return 0;
-  const unsigned lowest = lead == 0xE0U ? 0xA0U : lead == 0xF0U ? 0x90U : 0x80U;
-  const unsigned highest = lead == 0xEDU ? 0x9FU : lead == 0xF4U ? 0x8FU : 0xBFU;
-  for (std::size_t i = 1; i < length; ++i) {
-    const unsigned byte = byte_at(text, at + i);
-    if (byte < (i == 1 ? lowest : 0x80U) || byte > (i == 1 ? highest : 0xBFU)) return 0;
-  }
-  return length;
 }
 
 TextFault fault_at(std::string_view text,
@@ -48,7 +33,7 @@ std::optional<TextFault> fault_of_encoding(std::string_view text) {
     if (text[at] == '\0') {
       return fault_at(text, at, "a NUL byte", "save the file as plain text in UTF-8");
     }
-    const std::size_t length = character_length(text, at);
+    const std::size_t length = utf8_length(text, at);
     if (length == 0) {
       return fault_at(text,
                       at,

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "stimuli/base/error.hpp"
-#include "synth/voice/festival_phones.hpp"
+#include "stimuli/timeline/festival_phones.hpp"
 
 namespace bimodal::synth {
 

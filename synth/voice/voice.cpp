@@ -7,7 +7,7 @@
 
 #include "stimuli/base/error.hpp"
 #include "synth/voice/festival.hpp"
-#include "synth/voice/festival_phones.hpp"
+#include "stimuli/timeline/festival_phones.hpp"
 #include "synth/voice/spoken_item.hpp"
 
 namespace bimodal::synth {

@@ -7,7 +7,7 @@
 
 #include "stimuli/timeline/phone.hpp"
 
-namespace bimodal::synth {
+namespace bimodal {
 
 /// The symbol by which Festival's phone set "radio" names a phone, e.g. "uw". WH is spoken as "w":
 /// the voices have no sound of its own for it.
@@ -23,4 +23,4 @@ namespace bimodal::synth {
 /// HH as hv, N as nx.
 [[nodiscard]] bool realises(std::string_view symbol, Phone asked);
 
-}  // namespace bimodal::synth
+}  // namespace bimodal

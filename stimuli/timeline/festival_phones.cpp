@@ -1,9 +1,9 @@
-#include "synth/voice/festival_phones.hpp"
+#include "stimuli/timeline/festival_phones.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace bimodal::synth {
+namespace bimodal {
 
 namespace {
 
@@ -77,4 +77,4 @@ bool realises(std::string_view symbol, Phone asked) {
   return false;
 }
 
-}  // namespace bimodal::synth
+}  // namespace bimodal
