@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <pocketsphinx.h>
 #include <sphinxbase/cmd_ln.h>
 #include <sphinxbase/err.h>
 #include <sphinxbase/fe.h>
@@ -61,7 +60,7 @@ struct CepstraMaker::FrontEnd {
     // No frame may be left out, which would shift all that follow, and what comes must not depend
     // on what came before.
     std::unique_ptr<cmd_ln_t, FreeOptions> options{cmd_ln_init(nullptr,
-                                                               ps_args(),
+                                                               fe_get_args(),
                                                                FALSE,
                                                                "-remove_silence",
                                                                "no",
@@ -71,7 +70,7 @@ struct CepstraMaker::FrontEnd {
                                                                "no",
                                                                nullptr)};
     if (options != nullptr) {
-      cmd_ln_parse_file_r(options.get(), ps_args(), parameters.c_str(), FALSE);
+      cmd_ln_parse_file_r(options.get(), fe_get_args(), parameters.c_str(), FALSE);
       sphinx.reset(fe_init_auto_r(options.get()));
     }
     if (!sphinx || fe_get_output_size(sphinx.get()) != static_cast<int>(kCoefficients)) {
