@@ -39,6 +39,7 @@ struct BuiltRecording {
   Recording recording;
   std::vector<CorpusItem> items;
   std::vector<Decibels> levels;  ///< of the items' speech
+  bool running = false;
 };
 
 class Builder {
@@ -130,6 +131,7 @@ class Builder {
     auto sound = read_sound_track(file);
     const auto said = words_in(file, sound);
     BuiltRecording built;
+    built.running = said.running;
     built.items =
         cut_items(said, sound, [&](std::string_view word) { return pronouncer_.is_listed(word); });
     FourierTransform fourier;
@@ -263,7 +265,7 @@ class Builder {
     corpus.description = request_.description.value_or(earlier_.description);
     keep_earlier(corpus);
     doubt_levels();
-    for (auto& [recording, items, levels] : built_) {
+    for (auto& [recording, items, levels, running] : built_) {
       for (auto& item : items) {
         item.recording = corpus.recordings.size();
         corpus.items.push_back(std::move(item));
@@ -304,6 +306,8 @@ class Builder {
                                levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2));
     }
     for (auto& built : built_) {
+      // Sentences end weaker than they begin.
+      if (built.running) continue;
       for (std::size_t i = 0; i < built.items.size(); ++i) {
         const auto& levels = of_talker[built.recording.talker];
         if (levels.empty()) continue;

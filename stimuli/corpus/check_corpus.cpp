@@ -163,23 +163,32 @@ class Checker {
     }
     const auto clear = item.clear.value_or(SpeechInterval{item.start, item.end});
     const auto speech = speech_of(item);
-    judge_margin(found, found.before, speech.start - clear.start, found.sound->before, "before");
-    judge_margin(found, found.after, clear.end - speech.end, found.sound->after, "after");
+    const bool before = judge_margin(
+        found, found.before, speech.start - clear.start, found.sound->before, "before");
+    const bool after =
+        judge_margin(found, found.after, clear.end - speech.end, found.sound->after, "after");
+    if (before || after) {
+      found.findings.push_back(fmt::format("{} a neighbouring word",
+                                           before && after ? "both margins hold"
+                                           : before        ? "the margin before holds"
+                                                           : "the margin after holds"));
+    }
   }
 
-  static void judge_margin(
+  /// Returns whether a neighbour is within the least margin.
+  static bool judge_margin(
       ItemCheck& found, Duration margin, Duration clear, Decibels level, std::string_view where) {
     const double relative = level.count() - found.sound->speech.count();
     if (margin < kLeastMargin) {
       found.findings.push_back(
           fmt::format("only {:.0f} ms of sound {} it", milliseconds(margin), where));
     } else if (clear < kLeastMargin) {
-      found.findings.push_back(fmt::format(
-          "the margin {} it holds another word from {:.0f} ms on", where, milliseconds(clear)));
+      return true;
     } else if (relative > kQuietMargin) {
       found.findings.push_back(
           fmt::format("the margin {} it is not silent ({:.0f} dB)", where, relative));
     }
+    return false;
   }
 
   static void judge_frames(ItemCheck& found) {

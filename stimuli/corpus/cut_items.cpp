@@ -67,7 +67,8 @@ std::vector<std::string> margin_doubts(const CorpusItem& item, bool running) {
 
 CorpusItem cut_item(const SaidWords& said, std::size_t index, const Clip& sound) {
   const auto& word = said.words[index];
-  const auto length = std::max(sound.duration(), word.end());
+  const Duration sounds = std::chrono::floor<std::chrono::microseconds>(sound.duration());
+  const auto length = std::max(sounds, word.end());
   const auto free = alone(said, index, length);
   CorpusItem item{.name = word.word, .word = word.word, .phones = word.phones};
   const auto ease = [](Duration wanted, Duration least) { return std::max(wanted, least); };
@@ -91,6 +92,26 @@ CorpusItem cut_item(const SaidWords& said, std::size_t index, const Clip& sound)
 void doubt(CorpusItem& item, const std::string& why) {
   if (!item.doubt.empty()) item.doubt += "; ";
   item.doubt += why;
+}
+
+/// All times as the manifest can hold them, so that a margin of 50 ms stays one.
+SaidWords in_microseconds(SaidWords said) {
+  const auto round = [](Duration& time) {
+    time = std::chrono::round<std::chrono::microseconds>(time);
+  };
+  for (auto& word : said.words) {
+    for (auto& timed : word.phones) {
+      auto end = timed.end();
+      round(timed.start);
+      round(end);
+      timed.duration = end - timed.start;
+    }
+  }
+  for (auto& other : said.others) {
+    round(other.start);
+    round(other.end);
+  }
+  return said;
 }
 
 /// An item and how well its sound fits.
@@ -137,9 +158,10 @@ std::vector<CorpusItem> with_takes_chosen(std::vector<Take> takes) {
 
 }  // namespace
 
-std::vector<CorpusItem> cut_items(const SaidWords& said,
+std::vector<CorpusItem> cut_items(const SaidWords& found,
                                   const Clip& sound,
                                   const std::function<bool(std::string_view)>& is_wanted) {
+  const auto said = in_microseconds(found);
   std::vector<Take> takes;
   for (std::size_t i = 0; i < said.words.size(); ++i) {
     const auto& word = said.words[i];

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <numeric>
-#include <optional>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "stimuli/alignment/aligner.hpp"
 #include "stimuli/alignment/word_listener.hpp"
+#include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/corpus/match_list.hpp"
 #include "stimuli/corpus/side_by_side.hpp"
@@ -29,6 +28,9 @@ constexpr std::size_t kMostPairs = 20'000'000;
 constexpr std::int64_t kReach = 40;
 /// Around a chunk: what is too weak to be part of it belongs to the word all the same.
 constexpr Duration kAround = 150ms;
+/// Where fewer words of the list are compared, others stand in for what else could be said.
+constexpr std::size_t kFewestCompared = 80;
+constexpr const char* kRivals = "stimuli/assets/words/monosyllables-414.json";
 /// A chunk shorter than this holds no two words, nor one that is not much longer than the others.
 constexpr Duration kShortestPair = 600ms;
 constexpr double kPairToMedian = 1.25;
@@ -69,6 +71,7 @@ class ListSearch {
     fits_ = ChunkWordFits{chunks_.size(), list.size()};
     best_.resize(chunks_.size());
     std::ranges::transform(list, std::back_inserter(words_), spoken);
+    find_rivals();
   }
 
   SaidWords search() {
@@ -83,7 +86,7 @@ class ListSearch {
  private:
   /// The word that a chunk fits best, of those that it was compared with.
   struct Best {
-    std::optional<std::size_t> word;
+    std::string word;        ///< empty: none, or two
     double fit = -HUGE_VAL;  ///< of the chunk, be it one word or two
   };
 
@@ -102,6 +105,19 @@ class ListSearch {
           "recording into parts and give each its part of the list",
           chunks_.size(),
           list_.size())};
+    }
+  }
+
+  /// Words of a list of our own, evenly taken, that are not in this list.
+  void find_rivals() {
+    if (list_.size() >= kFewestCompared) return;
+    std::vector<Diagnostic> ours;
+    const auto others = read_word_list(asset(kRivals), ours).words;
+    const auto step = std::max<std::size_t>(1, others.size() / kFewestCompared);
+    for (std::size_t i = 0; i < others.size(); i += step) {
+      if (std::ranges::find(list_, others[i].phones, &Word::phones) == list_.end()) {
+        rivals_.push_back(spoken(others[i]));
+      }
     }
   }
 
@@ -156,12 +172,18 @@ class ListSearch {
     for (std::size_t word = first; word < end; ++word) {
       if (const auto fit = heard.fit(words_[word])) {
         fits_.one(chunk, word) = static_cast<float>(*fit);
-        if (*fit > best.fit) best = {word, *fit};
+        if (*fit > best.fit) best = {words_[word].spelling, *fit};
       }
       if (!pairs || word + 1 >= words_.size()) continue;
       if (const auto fit = heard.fit(std::span{words_}.subspan(word, 2))) {
         fits_.two(chunk, word) = static_cast<float>(*fit);
-        if (*fit > best.fit) best = {std::nullopt, *fit};
+        if (*fit > best.fit) best = {"", *fit};
+      }
+    }
+    if (end - first < kFewestCompared) {
+      for (const auto& rival : rivals_) {
+        if (const auto fit = heard.fit(rival); fit && *fit > best.fit)
+          best = {rival.spelling, *fit};
       }
     }
     // From here on relative to what fits best.
@@ -208,10 +230,7 @@ class ListSearch {
     side_by_side(matches.size(), [&] {
       return [&, aligner = Aligner{}](std::size_t index) mutable {
         aligned[index] = align(aligner, matches[index]);
-        if (std::ranges::find(late, matches[index]) != late.end()) {
-          aligned[index].front().doubts.emplace_back(
-              "stands out of the list's order; only its sound tells that it is this word");
-        }
+        if (std::ranges::find(late, matches[index]) != late.end()) judge_late(aligned[index]);
         tell("aligning the words", matches.size());
       };
     });
@@ -219,13 +238,24 @@ class ListSearch {
     SaidWords said;
     std::vector<bool> is_word(chunks_.size());
     for (std::size_t index = 0; index < matches.size(); ++index) {
-      is_word[matches[index].chunk] = true;
+      is_word[matches[index].chunk] = !aligned[index].empty();
       std::ranges::move(aligned[index], std::back_inserter(said.words));
     }
     for (std::size_t chunk = 0; chunk < chunks_.size(); ++chunk) {
       if (!is_word[chunk]) said.others.push_back(chunks_[chunk]);
     }
     return said;
+  }
+
+  /// A word out of its place is believed, with a doubt, only if nothing else speaks against it: a
+  /// cough resembles some word too.
+  static void judge_late(std::vector<SaidWord>& said) {
+    if (!said.front().doubts.empty()) {
+      said.clear();
+      return;
+    }
+    said.front().doubts.emplace_back(
+        "stands out of the list's order; only its sound tells that it is this word");
   }
 
   /// What sounds like a word said again may be the word after it, if that is missing: neighbours in
@@ -243,6 +273,8 @@ class ListSearch {
     for (std::size_t i = 1; i < matches.size(); ++i) {
       const auto word = matches[i].word;
       if (matches[i - 1].word != word || found[word + 1]) continue;
+      const auto chunk = matches[i].chunk;
+      if (fits_.one(chunk, word + 1) < fits_.one(chunk, word) + kMoreLikeAnother) continue;
       aligned[i].front().doubts.push_back(
           fmt::format("may be \"{}\", which is not in its place", words_[word + 1].spelling));
     }
@@ -252,13 +284,13 @@ class ListSearch {
     const auto stretch = stretch_of(sound_, chunks_, match.chunk);
     const auto words = std::span{words_}.subspan(match.word, match.with_next ? 2 : 1);
     const auto alignment = aligner.align(stretch.sound, words);
-    auto said = said_words(alignment, stretch.start);
+    auto said = said_words(alignment, stretch.start, false);
     const auto& best = best_[match.chunk];
     const auto fit =
         match.with_next ? fits_.two(match.chunk, match.word) : fits_.one(match.chunk, match.word);
-    if (fit < kMoreLikeAnother && best.word) {
+    if (fit < kMoreLikeAnother && !best.word.empty()) {
       for (auto& word : said) {
-        word.doubts.push_back(fmt::format("sounds more like \"{}\"", words_[*best.word].spelling));
+        word.doubts.push_back(fmt::format("sounds more like \"{}\"", best.word));
       }
     }
     judge_coverage(said, stretch.chunk);
@@ -284,6 +316,7 @@ class ListSearch {
   std::vector<SpeechInterval> chunks_;
   std::vector<SpokenWord> words_;
   ChunkWordFits fits_;
+  std::vector<SpokenWord> rivals_;
   std::vector<Best> best_;
   std::mutex mutex_;
   std::size_t done_ = 0;

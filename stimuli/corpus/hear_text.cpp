@@ -20,13 +20,13 @@ SaidWord align_placed(Aligner& aligner, const Clip& sound, const PlacedWord& pla
   const auto samples = cut(sound, place);
   const Clip stretch{sound.rate, {samples.begin(), samples.end()}};
   auto said = std::move(
-      said_words(aligner.align(stretch, std::span{&placed.word, 1}), place.start).front());
+      said_words(aligner.align(stretch, std::span{&placed.word, 1}), place.start, true).front());
   // The hand's edges are the word's.
   auto& first = said.phones.front();
   first.duration = first.end() - place.start;
   first.start = place.start;
   said.phones.back().duration = place.end - said.phones.back().start;
-  said.doubts = duration_doubts(said.phones);
+  said.doubts = duration_doubts(said.phones, true);
   said.fit.reset();
   return said;
 }
@@ -35,7 +35,8 @@ SaidWord align_placed(Aligner& aligner, const Clip& sound, const PlacedWord& pla
 
 SaidWords hear_text(const Clip& sound, std::span<const SpokenWord> text) {
   Aligner aligner;
-  SaidWords said{.words = said_words(aligner.align(sound, text), Duration{}), .running = true};
+  SaidWords said{.words = said_words(aligner.align(sound, text), Duration{}, true),
+                 .running = true};
   return said;
 }
 

@@ -18,10 +18,10 @@ double milliseconds(Duration duration) {
 
 }  // namespace
 
-std::vector<std::string> duration_doubts(std::span<const TimedPhone> phones) {
+std::vector<std::string> duration_doubts(std::span<const TimedPhone> phones, bool running) {
   std::vector<std::string> doubts;
   for (const auto& timed : phones) {
-    const bool is_short = is_vowel(timed.phone) && timed.duration <= kShortestVowel;
+    const bool is_short = !running && is_vowel(timed.phone) && timed.duration <= kShortestVowel;
     const bool is_long = timed.phone != Phone::Rest && timed.duration > kLongestPhone;
     if (!is_short && !is_long) continue;
     doubts.push_back(fmt::format("its {} lasts {} {:.0f} ms",
@@ -36,7 +36,7 @@ std::vector<std::string> duration_doubts(std::span<const TimedPhone> phones) {
   return doubts;
 }
 
-std::vector<SaidWord> said_words(const Alignment& alignment, Duration start) {
+std::vector<SaidWord> said_words(const Alignment& alignment, Duration start, bool running) {
   std::vector<SaidWord> said;
   for (std::size_t i = 0; i < alignment.words.size(); ++i) {
     const auto& word = alignment.words[i];
@@ -45,7 +45,7 @@ std::vector<SaidWord> said_words(const Alignment& alignment, Duration start) {
       made.phones.push_back(alignment.utterance.phones.at(word.first_phone + k));
       made.phones.back().start += start;
     }
-    made.doubts = duration_doubts(made.phones);
+    made.doubts = duration_doubts(made.phones, running);
     const double fit = alignment.fit_of_word.at(i);
     made.fit = fit;
     if (fit < kDoubtfulFit) {

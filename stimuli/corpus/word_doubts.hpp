@@ -9,10 +9,14 @@ namespace bimodal {
 
 /// The words of an alignment of a stretch that begins at `start` of the recording, with a doubt
 /// wherever the fit is below kDoubtfulFit or a duration is one that people do not make: a vowel at
-/// the shortest that the aligner can give, a phone above 0.7 s, a word above 1.5 s.
-[[nodiscard]] std::vector<SaidWord> said_words(const Alignment& alignment, Duration start);
+/// the shortest that the aligner can give (unless in running speech, where "at" may have no more),
+/// a phone above 0.7 s, a word above 1.5 s.
+[[nodiscard]] std::vector<SaidWord> said_words(const Alignment& alignment,
+                                               Duration start,
+                                               bool running);
 
 /// The doubts about durations alone.
-[[nodiscard]] std::vector<std::string> duration_doubts(std::span<const TimedPhone> phones);
+[[nodiscard]] std::vector<std::string> duration_doubts(std::span<const TimedPhone> phones,
+                                                       bool running);
 
 }  // namespace bimodal

@@ -106,7 +106,7 @@ TEST(GridCorpus, IsBuiltFromTheSixClips) {
   }
   const auto holds_speech = std::ranges::count_if(check.items, [](const auto& item) {
     return std::ranges::any_of(item.findings, [](const auto& finding) {
-      return finding.find("holds another word") != std::string::npos;
+      return finding.find("a neighbouring word") != std::string::npos;
     });
   });
   EXPECT_GE(holds_speech, 20);

@@ -24,7 +24,7 @@ ChunkWordFits fits_of(const std::vector<std::optional<std::size_t>>& said,
     for (std::size_t word = 0; word < words; ++word) {
       fits.one(chunk, word) = static_cast<float>(-3.0 - 3.0 * random.uniform());
     }
-    if (said[chunk]) fits.one(chunk, *said[chunk]) = static_cast<float>(-random.uniform());
+    if (said[chunk]) fits.one(chunk, *said[chunk]) = static_cast<float>(-0.6 * random.uniform());
   }
   return fits;
 }
