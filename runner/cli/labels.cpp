@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cctype>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -108,14 +106,6 @@ ExitCode tell(const LabelsOptions& options) {
   return tier == nullptr ? ExitCode::Done : judge_phones(*tier);
 }
 
-bool holds_one_tier(const std::filesystem::path& file) {
-  auto ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
-  return ending == ".lab" || ending == ".align";
-}
-
 ExitCode convert(const LabelsOptions& options) {
   auto labels = chosen_labels(options);
   if (options.phones) labels = labels_of(utterance_of(phones_of(labels, options), labels.end));
@@ -145,10 +135,10 @@ void add_labels(CLI::App& app, Verb& chosen) {
       "which labels of a tier of phones are no phones.\n"
       "Exit code: 0 done, 1 labels that are no phones, 3 errors.\n\n"
       "Examples:\n"
-      "  bimodal labels bbaf2n.align                         what is in it?\n"
-      "  bimodal labels bbaf2n.align -o bbaf2n.TextGrid      to look at it in Praat\n"
-      "  bimodal labels cat.TextGrid --tier words -o cat.lab one tier, for HTK\n"
-      "  bimodal labels timit.lab --phones -o timit.TextGrid closures and stops as one phone");
+      "  bimodal labels bbaf2n.align                            what is in it?\n"
+      "  bimodal labels bbaf2n.align -o bbaf2n.TextGrid         to look at it in Praat\n"
+      "  bimodal labels cat.TextGrid --tier words -o cat.lab    one tier, for HTK\n"
+      "  bimodal labels cat.lab --phones -o cat.TextGrid        closure and release as one phone");
   auto options = std::make_shared<LabelsOptions>();
   verb->add_option("FILE", options->input, "the file of labels; its ending tells the format")
       ->required();

@@ -5,6 +5,7 @@
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_setup.hpp"
+#include "runner/cli/stimuli_strip.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/preparation/trial_preparer.hpp"
 #include "stimuli/audio/sound_file.hpp"
@@ -75,6 +76,7 @@ ExitCode mix_trial(const MixOptions& options) {
 void add_stimuli(CLI::App& app, Verb& chosen) {
   auto* const stimuli = app.add_subcommand("stimuli", "Makes single stimuli as files.");
   stimuli->require_subcommand(1);
+  add_stimuli_strip(*stimuli, chosen);
   auto* const mix = stimuli->add_subcommand(
       "mix",
       "Writes the very samples that `run` plays in a trial, as 32-bit float WAV.\n\n"

@@ -19,5 +19,6 @@ void add_labels(CLI::App& app, Verb& chosen);
 void add_stimuli(CLI::App& app, Verb& chosen);
 void add_render(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
+void add_corpus(CLI::App& app, Verb& chosen);
 
 }  // namespace bimodal::runner

@@ -37,6 +37,9 @@ struct CorpusItem {
   /// In order, without gaps, from the zero of the recording, within start and end; the first and
   /// the last are no rest.
   std::vector<TimedPhone> phones;
+  /// Where nothing but this word is heard, if that is less than from start to end: words cut out of
+  /// running speech have their neighbours in their margins. Within start and end.
+  std::optional<SpeechInterval> clear;
   std::string doubt;  ///< why somebody should look at it before it is used; empty: no doubt
 
   bool operator==(const CorpusItem&) const = default;

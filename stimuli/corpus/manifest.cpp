@@ -140,7 +140,8 @@ class ManifestReader {
     const auto end = reader.time("end_s", 1s, kSeconds);
     const auto phones =
         reader.text("phones", {.shortest = 1, .longest = 4'000, .meaning = "\"S T UW\""});
-    const auto times = read_times(reader);
+    const auto times = read_times(reader, "times_s", kMostPhones + 1);
+    const auto clear = reader.has("clear_s") ? read_times(reader, "clear_s", 2) : std::nullopt;
     reader.refuse_unknown_keys();
     if (!item.name.empty() && !names_.insert(item.name).second) {
       findings_.error(pointer + "/item",
@@ -158,15 +159,18 @@ class ManifestReader {
     item.recording = recording->second;
     item.start = *start;
     item.end = *end;
+    if (clear) item.clear = SpeechInterval{clear->front(), clear->back()};
     if (take_phones(*phones, *times, pointer, item) && judge_times(item, pointer)) {
       corpus.items.push_back(std::move(item));
     }
   }
 
-  std::optional<std::vector<Duration>> read_times(ObjectReader& reader) {
+  std::optional<std::vector<Duration>> read_times(ObjectReader& reader,
+                                                  std::string_view key,
+                                                  std::size_t most) {
     std::vector<Duration> times;
     bool good = true;
-    for (const auto& [value, pointer] : reader.items("times_s", 2, kMostPhones + 1)) {
+    for (const auto& [value, pointer] : reader.items(key, 2, most)) {
       const auto seconds = reader.number_of(*value, pointer, kSeconds);
       good = good && seconds.has_value();
       times.emplace_back(std::llround(seconds.value_or(0.0) * 1e9));
@@ -232,6 +236,12 @@ class ManifestReader {
                     "a phone stands outside of the item",
                     "widen \"start_s\" and \"end_s\", or mend the times");
     }
+    if (item.clear && (item.clear->start < item.start || item.clear->end > item.end ||
+                       item.clear->start >= item.clear->end)) {
+      return refuse("/clear_s",
+                    "what is clear of other words is not within the item",
+                    "give two times between \"start_s\" and \"end_s\", or leave the key out");
+    }
     return true;
   }
 
@@ -272,7 +282,7 @@ std::string line_of(const CorpusItem& item, const Corpus& corpus) {
   }
   times += seconds_text(item.phones.back().end());
   return fmt::format(
-      R"({{"item": {}, "word": {}, "recording": {}, "start_s": {}, "end_s": {}, "phones": {}, "times_s": [{}]{}}})",
+      R"({{"item": {}, "word": {}, "recording": {}, "start_s": {}, "end_s": {}, "phones": {}, "times_s": [{}]{}{}}})",
       as_json(item.name),
       as_json(item.word),
       as_json(corpus.recordings.at(item.recording).file),
@@ -280,6 +290,10 @@ std::string line_of(const CorpusItem& item, const Corpus& corpus) {
       seconds_text(item.end),
       as_json(phones),
       times,
+      item.clear ? fmt::format(R"(, "clear_s": [{}, {}])",
+                               seconds_text(item.clear->start),
+                               seconds_text(item.clear->end))
+                 : std::string{},
       item.doubt.empty() ? std::string{} : fmt::format(R"(, "doubt": {})", as_json(item.doubt)));
 }
 

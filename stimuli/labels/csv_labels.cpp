@@ -15,6 +15,8 @@ namespace bimodal {
 
 namespace {
 
+constexpr std::size_t kMostFields = 1'000;  ///< of one record
+
 /// Takes records off a text, field by field (RFC 4180, section 2).
 class CsvReader {
  public:
@@ -27,6 +29,9 @@ class CsvReader {
     if (at_ >= text_.size()) return std::nullopt;
     std::vector<std::string> fields;
     while (true) {
+      if (fields.size() == kMostFields) {
+        refuse(line(), fmt::format("more than {} fields", kMostFields), "is this the right file?");
+      }
       fields.push_back(take_field());
       if (at_ == text_.size()) return fields;
       const bool goes_on = text_[at_] == ',';

@@ -185,4 +185,9 @@ void write_labels(const std::filesystem::path& file, const Labels& labels) {
   write_file(file, csv_of(labels, file));
 }
 
+bool holds_one_tier(const std::filesystem::path& file) {
+  const Format format = format_of(file);
+  return format == Format::Lab || format == Format::Align;
+}
+
 }  // namespace bimodal

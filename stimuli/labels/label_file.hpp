@@ -40,4 +40,8 @@ namespace bimodal {
 /// name.
 void write_labels(const std::filesystem::path& file, const Labels& labels);
 
+/// Whether the format that the ending of a name tells, .lab or .align, holds one tier only. Throws
+/// Error if it tells none.
+[[nodiscard]] bool holds_one_tier(const std::filesystem::path& file);
+
 }  // namespace bimodal

@@ -31,6 +31,8 @@ struct Utterance {
 struct SpeechInterval {
   Duration start{};
   Duration end{};
+
+  bool operator==(const SpeechInterval&) const = default;
 };
 
 /// Empty (start == end) if the utterance is all rest.

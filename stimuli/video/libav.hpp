@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -46,6 +47,16 @@ using Scaler = std::unique_ptr<SwsContext, FreeScaler>;
 /// A time stamp in nanoseconds, rounded; absent if FFmpeg does not know it or it is beyond 30
 /// years, which no recording is (and so that differences of two of them can be formed).
 [[nodiscard]] std::optional<Duration> duration_of(std::int64_t stamp, AVRational unit);
+
+/// An enumeration's number as FFmpeg has read it from a file, which may be none of its values (and
+/// then C++ does not define what loading it as the enumeration does).
+template <typename Enumeration>
+[[nodiscard]] int number_in(const Enumeration& from_file) {
+  int number = 0;
+  static_assert(sizeof number == sizeof from_file);
+  std::memcpy(&number, &from_file, sizeof number);
+  return number;
+}
 
 /// FFmpeg's own words for one of its error codes.
 [[nodiscard]] std::string words_of(int code);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <new>
 #include <utility>
 
@@ -23,7 +22,7 @@ constexpr int kFlags = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS
 constexpr int kUnity = 1 << 16;  ///< contrast and saturation of swscale
 
 int matrix_of(const AVFrame& frame) {
-  switch (frame.colorspace) {
+  switch (number_in(frame.colorspace)) {
     case AVCOL_SPC_BT709:
       return SWS_CS_ITU709;
     case AVCOL_SPC_FCC:
@@ -45,7 +44,8 @@ int matrix_of(const AVFrame& frame) {
 }
 
 void require_plain_range(const AVFrame& frame, const std::filesystem::path& file) {
-  if (frame.color_trc != AVCOL_TRC_SMPTE2084 && frame.color_trc != AVCOL_TRC_ARIB_STD_B67) return;
+  const int curve = number_in(frame.color_trc);
+  if (curve != AVCOL_TRC_SMPTE2084 && curve != AVCOL_TRC_ARIB_STD_B67) return;
   refuse("show",
          file,
          "it is of high dynamic range (HDR), which would look washed out",
@@ -53,49 +53,49 @@ void require_plain_range(const AVFrame& frame, const std::filesystem::path& file
          "zscale=t=bt709:m=bt709:r=tv,format=yuv420p OUT'");
 }
 
-void copy_row(const std::uint8_t* from, std::uint8_t* to, std::size_t width) {
-  std::memcpy(to, from, width * 4);
-  for (std::size_t x = 0; x < width; ++x) to[4 * x + 3] = 255;
-}
-
-/// Turns clockwise; every target row is a row or a column of the source, forwards or backwards.
+/// Turns clockwise and gathers the three planes. Every target row is a row or a column of the
+/// source, forwards or backwards.
 void turn(const AVFrame& scaled, int degrees, Image& image) {
-  const auto stride = static_cast<std::ptrdiff_t>(scaled.linesize[0]);
-  constexpr std::ptrdiff_t kPixel = 4;
-  const auto last_row = static_cast<std::ptrdiff_t>(scaled.height) - 1;
+  const auto stride = static_cast<std::ptrdiff_t>(scaled.linesize[0]);  // equal in all planes
+  const auto last_row = (static_cast<std::ptrdiff_t>(scaled.height) - 1) * stride;
   const auto last_column = static_cast<std::ptrdiff_t>(scaled.width) - 1;
-  const std::uint8_t* corner = scaled.data[0];  // what becomes the upper left pixel
-  std::ptrdiff_t right = kPixel;                // where its right neighbour was
+  std::ptrdiff_t corner = 0;  // what becomes the upper left pixel
+  std::ptrdiff_t right = 1;   // where its right neighbour was
   std::ptrdiff_t down = stride;
   if (degrees == 90) {
-    corner += last_row * stride;
+    corner = last_row;
     right = -stride;
-    down = kPixel;
+    down = 1;
   } else if (degrees == 180) {
-    corner += last_row * stride + last_column * kPixel;
-    right = -kPixel;
+    corner = last_row + last_column;
+    right = -1;
     down = -stride;
   } else if (degrees == 270) {
-    corner += last_column * kPixel;
+    corner = last_column;
     right = stride;
-    down = -kPixel;
+    down = -1;
   }
+  const auto width = static_cast<std::ptrdiff_t>(image.width);
+  const auto gather = [&](std::uint8_t* target, std::ptrdiff_t row, std::ptrdiff_t step) {
+    const auto* green = scaled.data[0] + row;
+    const auto* blue = scaled.data[1] + row;
+    const auto* red = scaled.data[2] + row;
+    for (std::ptrdiff_t x = 0; x < width; ++x) {
+      target[4 * x] = red[x * step];
+      target[4 * x + 1] = green[x * step];
+      target[4 * x + 2] = blue[x * step];
+      target[4 * x + 3] = 255;
+    }
+  };
   auto* target = image.pixels.data();
   for (std::size_t y = 0; y < image.height; ++y) {
-    const auto* row = corner + static_cast<std::ptrdiff_t>(y) * down;
-    if (right == kPixel) {
-      copy_row(row, target, image.width);
-      target += image.width * 4;
-      continue;
+    const auto row = corner + static_cast<std::ptrdiff_t>(y) * down;
+    if (right == 1) {
+      gather(target, row, 1);  // a constant, so that the compiler reads whole vectors
+    } else {
+      gather(target, row, right);
     }
-    for (std::size_t x = 0; x < image.width; ++x) {
-      const auto* pixel = row + static_cast<std::ptrdiff_t>(x) * right;
-      target[0] = pixel[0];
-      target[1] = pixel[1];
-      target[2] = pixel[2];
-      target[3] = 255;
-      target += 4;
-    }
+    target += image.width * 4;
   }
 }
 
@@ -137,17 +137,20 @@ void PictureConverter::prepare_for(const AVFrame& frame) {
                        frame.height),
            "cut it there, or bring it to one size, e.g. by 'ffmpeg -i IN OUT'");
   }
-  if (scaler_ && frame.format == format_ && frame.colorspace == colour_space_ &&
-      frame.color_range == colour_range_) {
+  const int colour_space = number_in(frame.colorspace);
+  const int colour_range = number_in(frame.color_range);
+  if (scaler_ && frame.format == format_ && colour_space == colour_space_ &&
+      colour_range == colour_range_) {
     return;
   }
   require_plain_range(frame, file_);
   format_ = frame.format;
-  colour_space_ = frame.colorspace;
-  colour_range_ = frame.color_range;
+  colour_space_ = colour_space;
+  colour_range_ = colour_range;
   const bool lying = rotation_degrees_ % 180 != 0;
   scaled_ = new_frame();
-  scaled_->format = AV_PIX_FMT_RGBA;
+  // Into planes, swscale has vector code for the same sums: four times as fast as into RGBA.
+  scaled_->format = AV_PIX_FMT_GBRP;
   scaled_->width = static_cast<int>(lying ? height_ : width_);
   scaled_->height = static_cast<int>(lying ? width_ : height_);
   if (av_frame_get_buffer(scaled_.get(), 0) < 0) throw std::bad_alloc{};
@@ -177,7 +180,7 @@ void PictureConverter::prepare_for(const AVFrame& frame) {
   }
   const auto* matrix = sws_getCoefficients(matrix_of(frame));
   constexpr int kFull = 1;
-  const int range = frame.color_range == AVCOL_RANGE_JPEG ? kFull : 0;
+  const int range = colour_range == AVCOL_RANGE_JPEG ? kFull : 0;
   // RGB has no matrix, and FFmpeg says so by an error.
   (void)sws_setColorspaceDetails(scaler_.get(), matrix, range, matrix, kFull, 0, kUnity, kUnity);
 }

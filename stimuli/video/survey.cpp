@@ -155,7 +155,7 @@ PictureTrack picture_of(const TrackView& view, Survey& survey, Container& contai
   const auto& track = *view.track;
   const auto& frame = *view.first;
   const auto* format = av_get_pix_fmt_name(static_cast<AVPixelFormat>(frame.format));
-  const auto order = track.codecpar->field_order;
+  const int order = number_in(track.codecpar->field_order);
   survey.pixel_aspect = aspect_of(container.format(), *view.track, view.first.get());
   PictureTrack made{
       .stored_width = static_cast<std::size_t>(frame.width),

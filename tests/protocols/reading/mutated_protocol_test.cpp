@@ -24,10 +24,12 @@ constexpr std::string_view kDictionary = "cat K AE T\ndog D AO G\nfish F IH SH\n
 
 class MutatedProtocol : public ::testing::Test {
  protected:
-  /// words414 with three words of its own, so that no list is read anew for each mutation.
+  /// words414 with three words of its own, so that no list is read anew for each mutation, and the
+  /// synthetic face in the place of the natural one.
   MutatedProtocol() : good_(Json::parse(read_file(asset("protocols/library/words414.json")))) {
     good_["words"] = {"cat", "dog", "fish"};
     good_["practice"]["words"] = {"dog"};
+    good_["conditions"][3]["visual"]["otherwise"] = "face";
   }
 
   /// Reads, and checks what must hold for every text.

@@ -155,6 +155,10 @@ TEST(LabelFile, KnowsFormatsByTheirEndings) {
     EXPECT_THAT(fault_of("0 1 a", name), HasSubstr(".TextGrid, .lab, .align or .csv")) << name;
   }
   EXPECT_THAT(message_of([] { write_labels("a.txt", {}); }), HasSubstr("a.txt"));
+  EXPECT_TRUE(holds_one_tier("a.LAB"));
+  EXPECT_TRUE(holds_one_tier("b/a.align"));
+  EXPECT_FALSE(holds_one_tier("a.lab.TextGrid"));
+  EXPECT_FALSE(holds_one_tier("a.csv"));
 }
 
 TEST(LabelFile, NamesTheFileThatCannotBeRead) {

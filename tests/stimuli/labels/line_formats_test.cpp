@@ -181,6 +181,7 @@ TEST(CsvLabels, RefuseWhatIsWrongWithItsLine) {
   EXPECT_THAT(fault("0,1,a\"b\n"), HasSubstr("f.csv:2: a quotation mark within"));
   EXPECT_THAT(fault_of("start_s;end_s;text\n0;1;a\n", "f.csv"),
               AllOf(HasSubstr("f.csv:1: there is no column \"start_s\""), HasSubstr("commas")));
+  EXPECT_THAT(fault(std::string(1'000, ',')), HasSubstr("f.csv:2: more than 1000 fields"));
   EXPECT_THAT(fault_of("", "f.csv"), HasSubstr("f.csv: the file is empty"));
 }
 

@@ -1,0 +1,240 @@
+#include "runner/cli/stimuli_strip.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "runner/cli/media_check.hpp"
+#include "runner/cli/protocol_file.hpp"
+#include "runner/preparation/trial_preparer.hpp"
+#include "stimuli/base/error.hpp"
+#include "stimuli/picture/image.hpp"
+#include "stimuli/picture/resize.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+struct StripOptions {
+  ProtocolChoice protocol;
+  std::string word;
+  std::vector<std::string> conditions;
+  std::string output;
+  std::string frames;
+  double rate_hz = 60.0;
+  int height = 360;
+};
+
+const Word& find_word(const protocols::ReadProtocol& read, const std::string& spelling) {
+  for (const auto* words : {&read.words.words, &read.practice}) {
+    const auto found = std::ranges::find_if(*words, [&](const Word& word) {
+      return word.spelling == spelling || shown_name(word) == spelling;
+    });
+    if (found != words->end()) return *found;
+  }
+  throw Error{fmt::format("the protocol has no word \"{}\"", spelling)};
+}
+
+/// The conditions that are asked for, else all in which somebody is seen.
+std::vector<std::size_t> find_conditions(const protocols::ReadProtocol& read,
+                                         const std::vector<std::string>& names) {
+  const auto& conditions = read.protocol.conditions;
+  std::vector<std::size_t> found;
+  for (const auto& name : names) {
+    const auto at = std::ranges::find(conditions, name, &protocols::Condition::name);
+    if (at == conditions.end()) {
+      throw Error{fmt::format(
+          "the protocol has no condition \"{}\" (--with takes optional ones in)", name)};
+    }
+    found.push_back(static_cast<std::size_t>(at - conditions.begin()));
+  }
+  for (std::size_t i = 0; names.empty() && i < conditions.size(); ++i) {
+    if (conditions[i].visual_talker) found.push_back(i);
+  }
+  for (const auto i : found) {
+    if (!conditions[i].visual_talker) {
+      throw Error{fmt::format("in condition \"{}\" nobody is seen", conditions[i].name)};
+    }
+  }
+  if (found.empty()) throw Error{"the protocol shows nobody"};
+  return found;
+}
+
+/// A picture of `width` x `height` with `image` in its middle, cut or surrounded as need be.
+Image in_cell(const Image& image, std::size_t width, std::size_t height, std::uint32_t ground) {
+  Image cell{.width = width, .height = height, .pixels = {}};
+  cell.pixels.resize(width * height * 4, 255);
+  for (std::size_t i = 0; i < width * height; ++i) {
+    cell.pixels[4 * i] = static_cast<std::uint8_t>(ground >> 16U);
+    cell.pixels[4 * i + 1] = static_cast<std::uint8_t>(ground >> 8U);
+    cell.pixels[4 * i + 2] = static_cast<std::uint8_t>(ground);
+  }
+  const auto wide = std::min(width, image.width);
+  const auto high = std::min(height, image.height);
+  for (std::size_t y = 0; y < high; ++y) {
+    const auto* const from =
+        &image.pixels[((y + (image.height - high) / 2) * image.width + (image.width - wide) / 2) *
+                      4];
+    auto* const to = &cell.pixels[((y + (height - high) / 2) * width + (width - wide) / 2) * 4];
+    std::copy(from, from + wide * 4, to);
+  }
+  return cell;
+}
+
+void append_row(Image& sheet, const std::vector<Image>& cells) {
+  std::size_t width = 0;
+  for (const auto& cell : cells) width += cell.width;
+  sheet.width = std::max(sheet.width, width);
+  for (std::size_t y = 0; y < cells.front().height; ++y) {
+    for (const auto& cell : cells) {
+      const auto from = cell.pixels.begin() + static_cast<std::ptrdiff_t>(y * cell.width * 4);
+      sheet.pixels.insert(
+          sheet.pixels.end(), from, from + static_cast<std::ptrdiff_t>(cell.width * 4));
+    }
+  }
+  sheet.height += cells.front().height;
+}
+
+/// The frame of a film that is shown at an instant of the recording.
+std::size_t frame_shown_at(const StimulusLayout& layout, Hertz rate, Duration time) {
+  const auto frame =
+      lead_frames(layout, rate) +
+      static_cast<std::int64_t>(std::chrono::duration<double>{time}.count() * rate.count());
+  return static_cast<std::size_t>(
+      std::clamp<std::int64_t>(frame, 0, frame_count(layout, rate) - 1));
+}
+
+class StripMaker {
+ public:
+  StripMaker(const protocols::ReadProtocol& read, const StripOptions& options)
+      : read_{read},
+        options_{options},
+        repertoire_{read.protocol.sound.rate, read.corpora},
+        studio_{read.protocol.window, read.corpora} {}
+
+  void add(std::size_t index, const Word& word) {
+    const auto& condition = read_.protocol.conditions[index];
+    const Hertz rate{options_.rate_hz};
+    const auto enactment = enact(condition, word, repertoire_);
+    const StimulusLayout layout{.recording = enactment.length,
+                                .lead = {},
+                                .trail = {},
+                                .sound_lead = {},
+                                .sound_trail = {},
+                                .av_offset = {},
+                                .has_sound = false};
+    const auto film = studio_.film(condition, enactment, layout, rate, [] {});
+    if (!options_.frames.empty()) write_frames(condition.name, film);
+    fmt::print("{}: {} of {} pictures at {:g} Hz\n",
+               condition.name,
+               film.pictures.size(),
+               film.picture_of_frame.size(),
+               rate.count());
+    std::vector<Image> cells;
+    for (const auto& timed : enactment.seen.phones) {
+      const auto centre = timed.start + timed.duration / 2;
+      const auto number = film.picture_of_frame[frame_shown_at(layout, rate, centre)];
+      const auto source = number != Film::kBlank && !film.source_frame_of_picture.empty()
+                              ? fmt::format("  frame {}", film.source_frame_of_picture[number])
+                              : std::string{};
+      fmt::print("  {:<5} {:>7.1f} ms{}\n",
+                 symbol(timed.phone),
+                 std::chrono::duration<double, std::milli>{centre}.count(),
+                 source);
+      cells.push_back(cell_of(film, number));
+    }
+    append_row(sheet_, cells);
+  }
+
+  void write() const {
+    if (options_.output.empty()) return;
+    Image sheet = sheet_;
+    sheet.pixels.resize(sheet.width * sheet.height * 4, 255);
+    write_png(sheet, options_.output);
+    fmt::print("{}: a row a condition, a picture at the centre of each phone\n", options_.output);
+  }
+
+ private:
+  [[nodiscard]] Image cell_of(const Film& film, std::size_t number) const {
+    const auto height = static_cast<std::size_t>(options_.height);
+    const auto width = height * 8 / 9;
+    const auto ground = read_.protocol.window.background;
+    if (number == Film::kBlank) return in_cell({}, width, height, ground);
+    const auto& picture = *film.pictures[number];
+    // All at the scale of the window, so that sizes can be compared.
+    const double scale =
+        static_cast<double>(height) / static_cast<double>(read_.protocol.window.face_height);
+    const auto scaled = [scale](std::size_t pixels) {
+      return std::max<std::size_t>(1,
+                                   static_cast<std::size_t>(static_cast<double>(pixels) * scale));
+    };
+    return in_cell(
+        resized(picture, scaled(picture.width), scaled(picture.height)), width, height, ground);
+  }
+
+  void write_frames(const std::string& condition, const Film& film) const {
+    const auto folder = std::filesystem::path{options_.frames} / condition;
+    std::filesystem::create_directories(folder);
+    for (std::size_t frame = 0; frame < film.picture_of_frame.size(); ++frame) {
+      const auto number = film.picture_of_frame[frame];
+      if (number == Film::kBlank) continue;
+      write_png(*film.pictures[number], folder / fmt::format("frame{:04}.png", frame));
+    }
+  }
+
+  const protocols::ReadProtocol& read_;
+  const StripOptions& options_;
+  Repertoire repertoire_;
+  FilmStudio studio_;
+  Image sheet_;
+};
+
+ExitCode strip(const StripOptions& options) {
+  if (options.output.empty() && options.frames.empty()) {
+    throw Error{"nothing to write; give -o FILE.png or --frames FOLDER"};
+  }
+  const auto read = load_protocol(options.protocol);
+  if (!read) return ExitCode::InvalidInput;
+  const auto media = check_media(*read, find_protocol(options.protocol.named).string());
+  print(media);
+  if (has_errors(media)) return ExitCode::InvalidInput;
+  const auto conditions = find_conditions(*read, options.conditions);
+  const auto& word = find_word(*read, options.word);
+  StripMaker maker{*read, options};
+  for (const auto condition : conditions) maker.add(condition, word);
+  maker.write();
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_stimuli_strip(CLI::App& stimuli, Verb& chosen) {
+  auto* const verb = stimuli.add_subcommand(
+      "strip",
+      "Writes what is seen of one word as pictures: a row for each condition, in each row the\n"
+      "picture at the centre of every phone, all at one scale.\n\n"
+      "Examples:\n"
+      "  bimodal stimuli strip words414 --corpus natural=my-talker --word stew -o stew.png\n"
+      "  bimodal stimuli strip my.json --word ba --condition dubbed --frames ba-frames");
+  auto options = std::make_shared<StripOptions>();
+  add_protocol_options(*verb, options->protocol);
+  verb->add_option("--word", options->word, "a word of the protocol")->required();
+  verb->add_option("--condition",
+                   options->conditions,
+                   "a condition in which somebody is seen (all of them); may be given again")
+      ->allow_extra_args(false)
+      ->delimiter(',');
+  verb->add_option("-o,--output", options->output, "the PNG file to be written");
+  verb->add_option("--frames", options->frames, "folder for every frame: CONDITION/frame0000.png");
+  verb->add_option("--refresh-hz", options->rate_hz, "refresh rate of the display (60)")
+      ->check(CLI::Range(10.0, 1000.0));
+  verb->add_option("--height", options->height, "of a picture of the window's face height (360)")
+      ->check(CLI::Range(32, 4096));
+  verb->callback([options, &chosen] { chosen = [options] { return strip(*options); }; });
+}
+
+}  // namespace bimodal::runner
