@@ -114,8 +114,8 @@ class RecordingLoop {
   }
 
   void judge_take(WordSlot& slot) {
-    const auto lost = parts_.input.lost();
     const auto take = captured();
+    const auto lost = parts_.input.lost();
     const auto measures = measure_take(take, room_);
     const auto faults = faults_of(measures, lost);
     last_take_ = ShownTake{measures, faults};
@@ -124,15 +124,13 @@ class RecordingLoop {
       tell(TakeJudged{.at = parts_.clock.now(), .good = false, .kept = false});
       return;
     }
-    newest_ = parts_.folder.add(slot.word, take, measures, lost, faults, source());
-    announce(slot, measures, faults);
-    if (faults.empty()) count(slot);
+    newest_ = parts_.folder.add(slot.word, take, measures, lost, faults, source(), slot.file);
+    announce(measures, faults);
+    if (faults.empty()) slot.file = newest_;
     tell(TakeJudged{.at = parts_.clock.now(), .good = faults.empty(), .kept = true});
   }
 
-  void announce(const WordSlot& slot,
-                const TakeMeasures& measures,
-                const std::vector<TakeFault>& faults) {
+  void announce(const TakeMeasures& measures, const std::vector<TakeFault>& faults) {
     auto verdict = std::string{faults.empty() ? "good" : "doubtful"};
     for (const auto fault : faults) verdict += fmt::format(", {}", name(fault));
     parts_.announce(
@@ -142,18 +140,11 @@ class RecordingLoop {
                     measures.level.count(),
                     measures.peak.count(),
                     measures.snr.count()));
-    parts_.announce(fmt::format("stored a take of {}", slot.word));
-  }
-
-  /// The newest take replaces the one that counted for this slot.
-  void count(WordSlot& slot) {
-    if (!slot.file.empty()) parts_.folder.reject(slot.file);
-    slot.file = newest_;
   }
 
   void keep_take(WordSlot& slot) {
-    parts_.folder.keep(newest_);
-    count(slot);
+    parts_.folder.keep(newest_, slot.file);
+    slot.file = newest_;
     parts_.announce(fmt::format("{}: kept", newest_));
   }
 

@@ -169,13 +169,17 @@ void TakeFolder::read_line(std::string_view line, std::size_t number) {
   if (event != "take" && event != "keep" && event != "reject") return;
   const auto file = text("file");
   if (!is_file_name(file)) throw damaged("names no WAV file");
+  const auto set = [&](const std::string& named, bool counts) {
+    const auto found = std::ranges::find(takes_, named, &StoredTake::file);
+    if (found == takes_.end()) throw damaged("names a take that there is not");
+    found->counts = counts;
+  };
+  if (json->contains("replaced")) set(text("replaced"), false);
   if (event == "take") {
     takes_.push_back({text("word"), file, text("verdict") == "good"});
-    return;
+  } else {
+    set(file, event == "keep");
   }
-  const auto found = std::ranges::find(takes_, file, &StoredTake::file);
-  if (found == takes_.end()) throw damaged("names a take that there is not");
-  found->counts = event == "keep";
 }
 
 void TakeFolder::append(std::string_view line) {
@@ -276,7 +280,8 @@ std::string TakeFolder::add(const std::string& word,
                             const TakeMeasures& measures,
                             std::int64_t lost,
                             const std::vector<TakeFault>& faults,
-                            const TakeSource& source) {
+                            const TakeSource& source,
+                            const std::string& replaced) {
   const StoredTake stored{word, free_name(word), faults.empty()};
   const auto place = folder_ / (stored.counts ? kTakes : kRejected);
   const auto file = place / stored.file;
@@ -302,9 +307,12 @@ std::string TakeFolder::add(const std::string& word,
     line["speech_start_s"] = seconds(measures.speech->start);
     line["speech_end_s"] = seconds(measures.speech->end);
   }
+  const bool replaces = stored.counts && !replaced.empty();
+  if (replaces) line["replaced"] = take_named(replaced).file;
   line.update(source_json(source));
   append(line.dump());
   takes_.push_back(stored);
+  if (replaces) set_counts(replaced, false);
   return stored.file;
 }
 
@@ -314,19 +322,24 @@ StoredTake& TakeFolder::take_named(const std::string& file) {
   throw Error{fmt::format("there is no take '{}' in '{}'", file, folder_.string())};
 }
 
-void TakeFolder::set_counts(const std::string& file, bool counts, std::string_view event) {
+/// As the journal has it already.
+void TakeFolder::set_counts(const std::string& file, bool counts) {
   auto& take = take_named(file);
-  append(Json{{"event", event}, {"file", file}}.dump());
   take.counts = counts;
   place(take);
 }
 
-void TakeFolder::keep(const std::string& file) {
-  set_counts(file, true, "keep");
+void TakeFolder::keep(const std::string& file, const std::string& replaced) {
+  Json line{{"event", "keep"}, {"file", take_named(file).file}};
+  if (!replaced.empty()) line["replaced"] = take_named(replaced).file;
+  append(line.dump());
+  set_counts(file, true);
+  if (!replaced.empty()) set_counts(replaced, false);
 }
 
 void TakeFolder::reject(const std::string& file) {
-  set_counts(file, false, "reject");
+  append(Json{{"event", "reject"}, {"file", take_named(file).file}}.dump());
+  set_counts(file, false);
 }
 
 }  // namespace bimodal

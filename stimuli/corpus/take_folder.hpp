@@ -59,17 +59,21 @@ class TakeFolder {
 
   void add_room(const Clip& room, Decibels level, const TakeSource& source);
 
-  /// Stores a take (32-bit float WAV: the very samples); it counts if it has no faults. Returns its
-  /// file's name.
+  /// Stores a take (32-bit float WAV: the very samples); it counts if it has no faults, and then
+  /// `replaced` (a file; empty: none) does so no longer: both or neither. Returns its file's name.
   std::string add(const std::string& word,
                   const Clip& take,
                   const TakeMeasures& measures,
                   std::int64_t lost,
                   const std::vector<TakeFault>& faults,
-                  const TakeSource& source);
+                  const TakeSource& source,
+                  const std::string& replaced = {});
 
-  /// From now on the take counts, or does so no longer. Throws Error if there is no such take.
-  void keep(const std::string& file);
+  /// From now on the take counts, and `replaced` (empty: none) does so no longer. Throws Error if
+  /// there is no such take.
+  void keep(const std::string& file, const std::string& replaced = {});
+
+  /// From now on the take does not count. Throws Error if there is none.
   void reject(const std::string& file);
 
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
@@ -84,7 +88,7 @@ class TakeFolder {
   void write_down(const std::filesystem::path& file, const Clip& sound) const;
   [[nodiscard]] StoredTake& take_named(const std::string& file);
   [[nodiscard]] std::string free_name(const std::string& word) const;
-  void set_counts(const std::string& file, bool counts, std::string_view event);
+  void set_counts(const std::string& file, bool counts);
 
   std::filesystem::path folder_;
   int journal_ = -1;
