@@ -24,6 +24,7 @@
 #include "runner/devices/simulated/simulated_display.hpp"
 #include "runner/devices/simulated/simulated_keyboard.hpp"
 #include "stimuli/base/counted.hpp"
+#include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/random.hpp"
 #include "stimuli/base/utf8.hpp"
@@ -202,7 +203,7 @@ void say_what_next(const RecordOptions& options, bool complete) {
     say("the same command goes on with the next word");
     return;
   }
-  const auto list = options.list.empty() ? "LIST" : options.list;
+  const auto list = options.list.empty() ? options.output + "/words.txt" : options.list;
   say(fmt::format(
       "next: bimodal corpus build {}/takes/*.wav --words {} -o CORPUS", options.output, list));
 }
@@ -232,6 +233,9 @@ ExitCode record(const RecordOptions& options) {
   const bool simulated = is_simulated_input(options);
   folder.begin_session(settings_of(options, words),
                        {utc_now(), devices->input->description(), simulated});
+  if (options.list.empty()) {
+    write_file(folder.path() / "words.txt", fmt::format("{}\n", fmt::join(words, "\n")));
+  }
   stop_at_interrupt();
   const auto outcome = record_words({.clock = *devices->clock,
                                      .display = *devices->display,

@@ -41,7 +41,8 @@ class RumbleFilter {
 /// Levels are taken of frames of 10 ms without rumble. A run of frames that stay 8 dB above the
 /// room is speech if one of them is 15 dB above it and it lasts for 50 ms (20 ms once there is
 /// speech: the release of a final stop); shorter ones are clicks. From the first run to the last
-/// one everything is one stretch, pauses included. A room below -75 dB FS counts as that loud.
+/// one everything is one stretch, pauses included. Where a loud sound breaks off, the end is up to
+/// a frame late: the filter rings. A room below -75 dB FS counts as that loud.
 class SpeechDetector {
  public:
   SpeechDetector(Hertz rate, Decibels room);

@@ -70,12 +70,14 @@ class CorpusRecord : public CommandLine {
 };
 
 TEST_F(CorpusRecord, RecordsAListAndTellsHowToGoOn) {
-  EXPECT_THAT(bimodal(arguments({"--word", "stew", "--word", "zoo", "--word", "stew"})),
-              ended(ExitCode::Done,
-                    AllOf(HasSubstr("0 of 2 takes recorded"),
-                          HasSubstr("stew.wav: good"),
-                          HasSubstr("complete: 2 of 2 takes recorded, in anna/takes"),
-                          HasSubstr("bimodal corpus build anna/takes/*.wav"))));
+  EXPECT_THAT(
+      bimodal(arguments({"--word", "stew", "--word", "zoo", "--word", "stew"})),
+      ended(ExitCode::Done,
+            AllOf(HasSubstr("0 of 2 takes recorded"),
+                  HasSubstr("stew.wav: good"),
+                  HasSubstr("complete: 2 of 2 takes recorded, in anna/takes"),
+                  HasSubstr("bimodal corpus build anna/takes/*.wav --words anna/words.txt"))));
+  EXPECT_EQ(bytes("anna/words.txt"), "stew\nzoo\n");
   const auto takes = journal("take");
   ASSERT_EQ(takes.size(), 2U);
   for (const auto& take : takes) {
