@@ -67,7 +67,7 @@ bool has(const ShownTake& take, TakeFault fault) {
 }
 
 /// The peak of the last take between too quiet and too loud.
-void add_meter(Screen& screen, const ShownTake& take) {
+void add_meter(Screen& screen, const ShownTake& take, std::string_view whose) {
   const auto& measures = take.measures;
   const double peak = measures.peak.count();
   const bool is_bad = has(take, TakeFault::Clipped);
@@ -83,15 +83,16 @@ void add_meter(Screen& screen, const ShownTake& take) {
   constexpr double kTick = 0.15;  // dB
   const double lowest = TakeRules{}.lowest_peak.count();
   add_level(screen, lowest - kTick, lowest + kTick, 2.0 * kMeterHeight, {0.3F, 0.3F, 0.3F});
-  auto text = fmt::format("peak {:.0f} dB", peak);
+  auto text = fmt::format("{}peak {:.0f} dB", whose, peak);
   if (measures.speech) {
-    text = fmt::format("speech {:.0f} dB, peak {:.0f} dB, {:.0f} dB above the room",
+    text = fmt::format("{}speech {:.0f} dB, peak {:.0f} dB, {:.0f} dB above the room",
+                       whose,
                        measures.level.count(),
                        peak,
                        measures.snr.count());
   }
   if (measures.clipped > 0) text += ", " + counted(measures.clipped, "clipped sample");
-  add(screen, std::move(text), kMeterPlace + 0.035, 0.02);
+  add(screen, std::move(text), kMeterPlace + 0.04, 0.024);
 }
 
 std::size_t letters_of(std::string_view text) {
@@ -174,8 +175,9 @@ void show_word(Screen& screen,
   if (phase == Phase::Doubt && last && !last->faults.empty()) {
     add(screen, std::string{advice(last->faults.front())}, kAdvicePlace, 0.04);
   }
-  if (last && (is_judged || phase == Phase::Ready)) add_meter(screen, *last);
-  add(screen, std::string{help_of(machine)}, 0.90, 0.022);
+  if (last && is_judged) add_meter(screen, *last, "");
+  if (last && phase == Phase::Ready) add_meter(screen, *last, "last take: ");
+  add(screen, std::string{help_of(machine)}, 0.90, 0.025);
 }
 
 }  // namespace
@@ -190,7 +192,7 @@ Screen recording_screen(const RecordingMachine& machine, const std::optional<Sho
       break;
     case Phase::Room:
     case Phase::RoomJudging:
-      add_dot(screen, kRed);
+      add_dot(screen, kWaiting);  // not red: that would ask for a word
       add_page(screen, "Please be quiet for a moment ...", "");
       break;
     case Phase::RoomDoubt:
