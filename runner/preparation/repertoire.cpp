@@ -1,10 +1,13 @@
 #include "runner/preparation/repertoire.hpp"
 
+#include <algorithm>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "stimuli/audio/noise.hpp"
 #include "stimuli/audio/resample.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/video/media_file.hpp"
@@ -21,6 +24,22 @@ void end_with(Utterance& utterance, Duration end) {
   if (utterance.phones.empty()) return;
   auto& last = utterance.phones.back();
   if (last.phone == Phone::Rest && end > last.start) last.duration = end - last.start;
+}
+
+/// Silent outside of the stretch, with falls of 5 ms at its edges: words cut out of running speech
+/// have their neighbours in their margins.
+void keep_only(Clip& sound, const SpeechInterval& clear) {
+  constexpr Duration kFall = std::chrono::milliseconds{5};
+  const auto sample = [&](Duration time) {
+    const auto nearest = std::max<std::int64_t>(0, nearest_sample(time, sound.rate).count());
+    return std::min(static_cast<std::size_t>(nearest), sound.samples.size());
+  };
+  const auto from = sample(clear.start);
+  const auto to = sample(clear.end);
+  const auto begin = sound.samples.begin();
+  std::fill(begin, begin + static_cast<std::ptrdiff_t>(from), 0.0F);
+  std::fill(begin + static_cast<std::ptrdiff_t>(to), sound.samples.end(), 0.0F);
+  if (from < to) apply_ramps(std::span{sound.samples}.subspan(from, to - from), sample(kFall));
 }
 
 }  // namespace
@@ -59,6 +78,10 @@ Performance Repertoire::play(const std::string& name, const std::string& spellin
   const auto& source = *performance.source;
   if (examine_media(source.path).sound) {
     performance.sound = read_sound_track(source.path, rate_, source.span);
+    if (item->clear) {
+      keep_only(performance.sound,
+                {item->clear->start - item->start, item->clear->end - item->start});
+    }
     end_with(performance.utterance, performance.sound.duration());
   }
   return performance;

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "stimuli/alignment/model_file.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal {
@@ -16,43 +14,59 @@ namespace bimodal {
 namespace {
 
 constexpr std::string_view kInstalled = "/usr/share/pocketsphinx/model/en-us/en-us";
-constexpr std::size_t kStreams = 3;
-constexpr std::size_t kDensities = 128;
-constexpr std::size_t kDimensions = 13;
-constexpr float kSmallestVariance = 1e-4F;
-/// Densities whose logarithm is that much below the best one's change nothing.
-constexpr float kNegligible = 16.0F;
-/// Of a mixture, so that its logarithm is finite.
-constexpr float kSmallestMixture = 1e-30F;
+constexpr std::size_t kMixture = GaussianCodebook::kStreams * GaussianCodebook::kDensities;
+constexpr float kNever = -std::numeric_limits<float>::infinity();
 
 void refuse_other_shapes(const std::filesystem::path& folder,
+                         const ModelDefinition& definition,
                          const GaussianTable& means,
                          const GaussianTable& variances,
                          const MixtureTable& mixtures,
-                         const TransitionTable& transitions,
-                         std::size_t phones) {
+                         const TransitionTable& transitions) {
+  const auto phones = definition.names.size();
   const auto fits = [&](const GaussianTable& table) {
-    return table.codebooks == phones && table.streams == kStreams &&
-           table.densities == kDensities && table.dimensions == kDimensions;
+    return table.codebooks == phones && table.streams == GaussianCodebook::kStreams &&
+           table.densities == GaussianCodebook::kDensities &&
+           table.dimensions == GaussianCodebook::kDimensions;
   };
-  if (fits(means) && fits(variances) && mixtures.streams == kStreams &&
-      mixtures.densities == kDensities && mixtures.senones >= phones * kStates &&
-      transitions.models >= phones && transitions.states == kStates) {
+  if (fits(means) && fits(variances) && mixtures.streams == GaussianCodebook::kStreams &&
+      mixtures.densities == GaussianCodebook::kDensities &&
+      std::ranges::max(definition.sequences) < mixtures.senones && transitions.models >= phones &&
+      transitions.states == kStates && definition.states == kStates) {
     return;
   }
-  throw Error{fmt::format("loading the acoustic model '{}': it is not phonetically tied with {} "
-                          "streams of {} densities of {} dimensions; use that of the Debian "
-                          "package pocketsphinx-en-us",
-                          folder.string(),
-                          kStreams,
-                          kDensities,
-                          kDimensions)};
+  throw Error{
+      fmt::format("loading the acoustic model '{}': it is not phonetically tied with {} "
+                  "states a phone and {} streams of {} densities of {} dimensions; use "
+                  "that of the Debian package pocketsphinx-en-us",
+                  folder.string(),
+                  kStates,
+                  GaussianCodebook::kStreams,
+                  GaussianCodebook::kDensities,
+                  GaussianCodebook::kDimensions)};
+}
+
+std::size_t index_in(const ModelDefinition& definition,
+                     Phone phone,
+                     const std::filesystem::path& folder) {
+  const auto name = phone == Phone::Rest ? std::string_view{"SIL"} : symbol(phone);
+  const auto found = std::ranges::find(definition.names, name);
+  if (found == definition.names.end()) {
+    throw Error{
+        fmt::format("loading the acoustic model '{}': it does not know the phone {}; use "
+                    "one of American English, such as that of the Debian package "
+                    "pocketsphinx-en-us",
+                    folder.string(),
+                    name)};
+  }
+  return static_cast<std::size_t>(found - definition.names.begin());
 }
 
 Transitions transitions_of(const TransitionTable& table, std::size_t model) {
   Transitions made;
   for (std::size_t state = 0; state < kStates; ++state) {
-    const auto* const row = &table.values[(model * kStates + state) * (kStates + 1)];
+    const auto row =
+        std::span{table.values}.subspan((model * kStates + state) * (kStates + 1), kStates + 1);
     const auto sum = row[state] + row[state + 1];
     made.stay.at(state) = std::log(row[state] / sum);
     made.leave.at(state) = std::log(row[state + 1] / sum);
@@ -60,23 +74,12 @@ Transitions transitions_of(const TransitionTable& table, std::size_t model) {
   return made;
 }
 
-/// Of one stream and frame: the largest log density, and all densities relative to it.
-float densities(const float* x,
-                const float* means,
-                const float* precisions,
-                const float* constants,
-                std::array<float, kDensities>& density) {
-  std::copy_n(constants, kDensities, density.begin());
-  for (std::size_t i = 0; i < kDimensions; ++i) {
-    const float value = x[i];
-    for (std::size_t k = 0; k < kDensities; ++k) {
-      const float distance = value - means[i * kDensities + k];
-      density[k] -= distance * distance * precisions[i * kDensities + k];
-    }
-  }
-  const float best = *std::ranges::max_element(density);
-  for (float& one : density) one = one > best - kNegligible ? std::exp(one - best) : 0.0F;
-  return best;
+std::array<std::uint16_t, kStates> senones_of(const ModelDefinition& definition,
+                                              std::size_t phone) {
+  std::array<std::uint16_t, kStates> made{};
+  const auto first = definition.sequence_of_phone.at(phone) * kStates;
+  for (std::size_t i = 0; i < kStates; ++i) made.at(i) = definition.sequences.at(first + i);
+  return made;
 }
 
 }  // namespace
@@ -85,6 +88,16 @@ Phone modelled(Phone phone) {
   if (phone == Phone::AX) return Phone::AH;
   if (phone == Phone::WH) return Phone::W;
   return phone;
+}
+
+const UnitScores::States UnitScores::kImpossible{kNever, kNever, kNever};
+
+UnitScores::UnitScores(std::size_t frames, std::span<const PhoneUnit> units) : frames_{frames} {
+  for (const auto& unit : units) {
+    const auto end = std::min(unit.end_frame, frames);
+    const auto first = std::min(unit.first_frame, end);
+    columns_.push_back({.first = first, .scores = std::vector<States>(end - first)});
+  }
 }
 
 std::filesystem::path AcousticModel::installed() {
@@ -101,63 +114,83 @@ std::filesystem::path AcousticModel::installed() {
   return folder;
 }
 
-AcousticModel::AcousticModel(const std::filesystem::path& folder) {
-  const auto names = read_phone_names(folder / "mdef");
+AcousticModel::AcousticModel(const std::filesystem::path& folder)
+    : definition_{read_definition(folder / "mdef")} {
   const auto means = read_gaussians(folder / "means");
   const auto variances = read_gaussians(folder / "variances");
   const auto mixtures = read_mixtures(folder / "sendump");
   const auto transitions = read_transitions(folder / "transition_matrices");
-  refuse_other_shapes(folder, means, variances, mixtures, transitions, names.size());
-  for (std::size_t index = 0; index < names.size(); ++index) {
-    const auto phone = phone_from_symbol(names[index]);
-    if (!phone) continue;  // noises
-    Codebook book{.phone = *phone};
-    constexpr std::size_t kSize = kStreams * kDensities * kDimensions;
-    book.means.resize(kSize);
-    book.precisions.resize(kSize);
-    book.constants.resize(kStreams * kDensities);
-    book.weights.resize(kStreams * kStates * kDensities);
-    for (std::size_t stream = 0; stream < kStreams; ++stream) {
-      for (std::size_t k = 0; k < kDensities; ++k) {
-        const std::size_t row = (index * kStreams + stream) * kDensities + k;
-        double constant = 0.0;
-        for (std::size_t i = 0; i < kDimensions; ++i) {
-          const float variance = std::max(variances.values[row * kDimensions + i], kSmallestVariance);
-          const std::size_t to = (stream * kDimensions + i) * kDensities + k;
-          book.means[to] = means.values[row * kDimensions + i];
-          book.precisions[to] = 0.5F / variance;
-          constant -= 0.5 * std::log(2.0 * std::numbers::pi * static_cast<double>(variance));
-        }
-        book.constants[stream * kDensities + k] = static_cast<float>(constant);
-        for (std::size_t state = 0; state < kStates; ++state) {
-          const auto senone = index * kStates + state;
-          book.weights[(stream * kStates + state) * kDensities + k] = static_cast<float>(
-              weight_of_code(mixtures.codes[(stream * kDensities + k) * mixtures.senones + senone]));
-        }
-      }
+  refuse_other_shapes(folder, definition_, means, variances, mixtures, transitions);
+  for (const Phone phone : all_phones()) {
+    const auto at = static_cast<std::size_t>(phone);
+    const auto index = index_in(definition_, modelled(phone), folder);
+    index_.at(at) = index;
+    transitions_.at(at) = transitions_of(transitions, index);
+    if (modelled(phone) == phone) codebooks_.at(at) = {means, variances, index};
+  }
+  codes_.resize(mixtures.codes.size());
+  for (std::size_t row = 0; row < kMixture; ++row) {
+    for (std::size_t senone = 0; senone < mixtures.senones; ++senone) {
+      codes_[senone * kMixture + row] = mixtures.codes[row * mixtures.senones + senone];
     }
-    codebooks_.push_back(std::move(book));
-    transitions_.at(static_cast<std::size_t>(*phone)) = transitions_of(transitions, index);
+  }
+  for (std::size_t code = 0; code < weights_.size(); ++code) {
+    weights_.at(code) = static_cast<float>(weight_of_code(static_cast<std::uint8_t>(code)));
   }
 }
 
-PhoneScores AcousticModel::score(std::span<const Cepstra> frames) const {
-  PhoneScores scores{frames.size()};
-  std::array<float, kDensities> density{};
-  for (const auto& book : codebooks_) {
+PhoneUnit AcousticModel::unit(Phone phone) const {
+  return {.phone = modelled(phone),
+          .senones = senones_of(definition_, index_.at(static_cast<std::size_t>(phone)))};
+}
+
+PhoneUnit AcousticModel::unit(Phone phone, Phone left, Phone right, PlaceInWord place) const {
+  auto made = unit(phone);
+  if (phone == Phone::Rest) return made;
+  const auto index = [&](Phone one) { return index_.at(static_cast<std::size_t>(one)); };
+  auto found = triphone(
+      definition_, static_cast<std::size_t>(place), index(phone), index(left), index(right));
+  for (std::size_t other = 0; !found && other < kPlacesInWord; ++other) {
+    found = triphone(definition_, other, index(phone), index(left), index(right));
+  }
+  if (found) made.senones = senones_of(definition_, *found);
+  return made;
+}
+
+std::vector<float> AcousticModel::weights(const PhoneUnit& unit) const {
+  std::vector<float> made;
+  made.reserve(kStates * kMixture);
+  for (const auto senone : unit.senones) {
+    for (const auto code : std::span{codes_}.subspan(senone * kMixture, kMixture)) {
+      made.push_back(weights_.at(code));
+    }
+  }
+  return made;
+}
+
+UnitScores AcousticModel::score(std::span<const Cepstra> frames,
+                                std::span<const PhoneUnit> units) const {
+  UnitScores scores{frames.size(), units};
+  for (const Phone phone : all_phones()) {
+    std::vector<std::size_t> wanted;
+    std::vector<std::vector<float>> mixtures;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      if (units[i].phone != phone) continue;
+      wanted.push_back(i);
+      mixtures.push_back(weights(units[i]));
+    }
+    if (wanted.empty()) continue;
+    const auto& codebook = codebooks_.at(static_cast<std::size_t>(phone));
     for (std::size_t n = 0; n < frames.size(); ++n) {
-      auto& score = scores.at(n, book.phone);
-      for (std::size_t stream = 0; stream < kStreams; ++stream) {
-        const float best = densities(&frames[n].at(stream * kDimensions),
-                                     &book.means[stream * kDimensions * kDensities],
-                                     &book.precisions[stream * kDimensions * kDensities],
-                                     &book.constants[stream * kDensities],
-                                     density);
+      std::optional<GaussianCodebook::Densities> densities;
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const auto& unit = units[wanted[i]];
+        if (n < unit.first_frame || n >= unit.end_frame) continue;
+        if (!densities) densities = codebook.at(frames[n]);
+        auto& score = scores.of(wanted[i])[n - unit.first_frame];
         for (std::size_t state = 0; state < kStates; ++state) {
-          const auto* const weights = &book.weights[(stream * kStates + state) * kDensities];
-          float mixture = kSmallestMixture;
-          for (std::size_t k = 0; k < kDensities; ++k) mixture += density[k] * weights[k];
-          score.at(state) += best + std::log(mixture);
+          score.at(state) =
+              log_mixture(*densities, std::span{mixtures[i]}.subspan(state * kMixture, kMixture));
         }
       }
     }
@@ -166,7 +199,7 @@ PhoneScores AcousticModel::score(std::span<const Cepstra> frames) const {
 }
 
 const Transitions& AcousticModel::transitions(Phone phone) const {
-  return transitions_.at(static_cast<std::size_t>(modelled(phone)));
+  return transitions_.at(static_cast<std::size_t>(phone));
 }
 
 }  // namespace bimodal

@@ -7,6 +7,7 @@
 
 #include "stimuli/alignment/acoustic_model.hpp"
 #include "stimuli/alignment/cepstra.hpp"
+#include "stimuli/alignment/edge_correction.hpp"
 #include "stimuli/alignment/search_sound.hpp"
 #include "stimuli/alignment/word_graph.hpp"
 #include "stimuli/base/error.hpp"
@@ -39,8 +40,18 @@ std::string named(std::span<const SpokenWord> words) {
   return text;
 }
 
-std::size_t fewest_phones(const SpokenWord& word) {
-  return std::ranges::min_element(word.pronunciations, {}, &Pronunciation::size)->size();
+std::size_t fewest_phones(std::span<const SpokenWord> words) {
+  std::size_t phones = 0;
+  for (const auto& word : words) {
+    phones += std::ranges::min_element(word.pronunciations, {}, &Pronunciation::size)->size();
+  }
+  return phones;
+}
+
+std::size_t phones_in(const Alignment& alignment) {
+  std::size_t phones = 0;
+  for (const auto& word : alignment.words) phones += word.phones;
+  return phones;
 }
 
 void refuse_impossible_words(std::span<const SpokenWord> words) {
@@ -59,6 +70,11 @@ void refuse_impossible_words(std::span<const SpokenWord> words) {
 }
 
 void refuse_impossible_length(const Clip& sound, std::span<const SpokenWord> words) {
+  if (!(sound.rate.count() > 0.0)) {
+    throw Error{fmt::format("aligning {}: the recording has {} samples per second; give its rate",
+                            named(words),
+                            sound.rate.count())};
+  }
   const auto length = sound.duration();
   if (length > kLongest) {
     throw Error{
@@ -68,17 +84,21 @@ void refuse_impossible_length(const Clip& sound, std::span<const SpokenWord> wor
                     milliseconds(length) / 60'000.0,
                     kLongest / std::chrono::minutes{1})};
   }
-  std::size_t phones = 0;
-  for (const auto& word : words) phones += fewest_phones(word);
-  if (const auto needed = kShortestPhone * phones; length < needed) {
-    throw Error{
-        fmt::format("aligning {}: the recording lasts {:.0f} ms, but {} phones need at "
-                    "least {:.0f} ms; give the whole recording, or fewer phones",
-                    named(words),
-                    milliseconds(length),
-                    phones,
-                    milliseconds(needed))};
-  }
+}
+
+void refuse_too_many_phones(const Clip& sound,
+                            std::size_t phones,
+                            std::span<const SpokenWord> words) {
+  const auto length = sound.duration();
+  const auto needed = kShortestPhone * phones;
+  if (length >= needed) return;
+  throw Error{
+      fmt::format("aligning {}: the recording lasts {:.0f} ms, but {} phones need at least "
+                  "{:.0f} ms; give the whole recording, or fewer phones",
+                  named(words),
+                  milliseconds(length),
+                  phones,
+                  milliseconds(needed))};
 }
 
 /// Keeps the phones' order, rest at least empty and every other phone at least 30 ms long.
@@ -103,6 +123,62 @@ void make_room(std::vector<TimedPhone>& phones, Duration end) {
   }
 }
 
+/// The phones and words of a path, without times.
+Alignment words_on(std::span<const PathStep> path,
+                   const WordGraph& graph,
+                   std::span<const SpokenWord> words) {
+  Alignment made;
+  for (const auto& word : words) made.words.push_back({.spelling = word.spelling});
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    made.utterance.phones.push_back({.phone = graph.nodes[path[i].node].phone});
+    const auto word = graph.word[path[i].node];
+    if (!word) continue;
+    if (made.words[*word].phones == 0) made.words[*word].first_phone = i;
+    ++made.words[*word].phones;
+  }
+  return made;
+}
+
+/// Gives the alignment its fits. The phones are scored without their contexts, as the free sequence
+/// is, so that no fit is above 0.
+void judge(Alignment& alignment,
+           std::span<const PathStep> path,
+           std::span<const Cepstra> cepstra,
+           const AcousticModel& model) {
+  const auto units = context_free_units(model, path.front().frames, path.back().first_frame);
+  const auto scores = model.score(cepstra, units);
+  std::vector<PhoneNode> any_phones;
+  for (const Phone phone : all_phones()) {
+    if (modelled(phone) == phone) any_phones.push_back(context_free_node(phone));
+  }
+  double lacking = 0.0;
+  std::size_t frames = 0;
+  for (const auto& word : alignment.words) {
+    const auto& first = path[word.first_phone];
+    const auto& last = path[word.first_phone + word.phones - 1];
+    const auto length = last.first_frame + last.frames - first.first_frame;
+    double lacks = -free_likelihood(any_phones, first.first_frame, length, scores, model);
+    for (std::size_t i = word.first_phone; i < word.first_phone + word.phones; ++i) {
+      const auto node = context_free_node(alignment.utterance.phones[i].phone);
+      lacks += phone_likelihood(node, path[i].first_frame, path[i].frames, scores, model);
+    }
+    alignment.fit_of_word.push_back(lacks / static_cast<double>(length));
+    lacking += lacks;
+    frames += length;
+  }
+  alignment.fit = lacking / static_cast<double>(frames);
+}
+
+/// Rest between words that has no time left after all.
+void remove_empty_pauses(Alignment& alignment) {
+  auto& phones = alignment.utterance.phones;
+  for (std::size_t i = phones.size() - 1; i-- > 1;) {
+    if (phones[i].phone != Phone::Rest || phones[i].duration > Duration{}) continue;
+    phones.erase(phones.begin() + static_cast<std::ptrdiff_t>(i));
+    for (auto& word : alignment.words) word.first_phone -= word.first_phone > i ? 1 : 0;
+  }
+}
+
 }  // namespace
 
 struct Aligner::Decoder {
@@ -124,42 +200,27 @@ Alignment Aligner::align(const Clip& sound, std::span<const Phone> phones) {
 Alignment Aligner::align(const Clip& sound, std::span<const SpokenWord> words) {
   refuse_impossible_words(words);
   refuse_impossible_length(sound, words);
+  refuse_too_many_phones(sound, fewest_phones(words), words);
+  const auto& model = decoder_->model;
   const auto heard = search_sound(sound);
-  const auto scores = decoder_->model.score(decoder_->cepstra.make(heard.samples));
+  const auto cepstra = decoder_->cepstra.make(heard.samples);
   const auto graph = graph_of(words);
-  const auto path = best_path(graph.nodes, scores, decoder_->model);
-  if (!path) throw std::logic_error{"an alignment of a long enough recording always exists"};
+  const auto coarse = best_path(graph.nodes, model.score(cepstra, units_of(graph, model)), model);
+  if (!coarse) throw std::logic_error{"a path through a long enough recording always exists"};
+  const auto chain = chain_of(*coarse, graph, model);
+  const auto path = best_path(chain.graph.nodes, model.score(cepstra, chain.units), model);
+  if (!path) throw std::logic_error{"the coarse path has become impossible"};
 
-  Alignment made;
-  for (const auto& word : words) made.words.push_back({.spelling = word.spelling});
-  std::vector<double> likelihoods(words.size());
-  std::vector<std::size_t> begins(words.size());
-  std::vector<std::size_t> frames(words.size());
-  for (const auto& step : *path) {
-    const auto phone = graph.nodes[step.node].phone;
-    const auto start = static_cast<std::int64_t>(step.first_frame) * CepstraMaker::kFrame;
-    if (const auto word = graph.word[step.node]) {
-      if (made.words[*word].phones++ == 0) {
-        made.words[*word].first_phone = made.utterance.phones.size();
-        begins[*word] = step.first_frame;
-      }
-      frames[*word] += step.frames;
-      likelihoods[*word] +=
-          phone_likelihood(phone, step.first_frame, step.frames, scores, decoder_->model);
-    }
-    made.utterance.phones.push_back({phone, start - heard.padding + kShift, {}});
+  Alignment made = words_on(*path, chain.graph, words);
+  for (std::size_t i = 0; i < path->size(); ++i) {
+    const auto start = static_cast<std::int64_t>(path->at(i).first_frame) * CepstraMaker::kFrame;
+    made.utterance.phones[i].start = start - heard.padding + kShift;
   }
-  double all = 0.0;
-  std::size_t all_frames = 0;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const double lacking =
-        likelihoods[i] - free_likelihood(begins[i], frames[i], scores, decoder_->model);
-    made.fit_of_word.push_back(lacking / static_cast<double>(frames[i]));
-    all += lacking;
-    all_frames += frames[i];
-  }
-  made.fit = all / static_cast<double>(all_frames);
+  refuse_too_many_phones(sound, phones_in(made), words);
+  correct_edges(made.utterance.phones, heard);
   make_room(made.utterance.phones, sound.duration());
+  judge(made, *path, cepstra, model);
+  remove_empty_pauses(made);
   return made;
 }
 

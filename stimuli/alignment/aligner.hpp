@@ -28,18 +28,23 @@ struct AlignedWord {
 struct Alignment {
   Utterance utterance;  ///< begins and ends with rest; ends where the sound ends
   std::vector<AlignedWord> words;
-  /// How well the sound fits: mean over the speech of the acoustic log likelihood (natural
+  /// How well the sound fits: mean over the words of the acoustic log likelihood (natural
   /// logarithm, per frame of 10 ms) of the aligned phones less that of the best free sequence of
-  /// phones. 0 at best; the lower, the likelier that something else was said. `fit_of_word` is the
-  /// same for each word by itself.
+  /// phones in the same frames. 0 at best; the lower, the likelier that something else was said.
   double fit = 0.0;
-  std::vector<double> fit_of_word;
+  std::vector<double> fit_of_word;  ///< the same for each word by itself
 };
 
-/// Finds known words in a clean recording (PocketSphinx, context-independent phones as one-phone
-/// words of a linear grammar, no fillers between phones, rest only before, after and between
-/// words). Align before mixing noise: at 0 dB S/N boundaries are off by 40 ms.
-/// One aligner may be used by one thread at a time.
+/// A word whose fit is lower is doubtful: it may not be what was said.
+inline constexpr double kDoubtfulFit = -3.0;
+
+/// Finds known words in a clean recording, with the acoustic model of PocketSphinx: first with
+/// phones as they are in no particular context, which decides on pronunciations and pauses, then
+/// with triphones; rest is only before, after and between words. The edge between two frames of 10
+/// ms is put midway between their centres, and some edges are then moved (see correct_edges).
+///
+/// Align before mixing noise: at 0 dB S/N boundaries are off by 40 ms.
+/// One aligner may be used by one thread at a time; aligners share nothing.
 class Aligner {
  public:
   /// Throws Error naming the Debian package if the acoustic model is not there ($BIMODAL_ACOUSTICS
@@ -54,7 +59,7 @@ class Aligner {
   /// One word. Every phone is returned, in order, each at least 30 ms long. Sound of any rate; a
   /// recording cut flush to the word is padded for the search, and the rest at its ends may then be
   /// empty in time. Throws Error, saying what was asked for, if the sound is too short for the
-  /// phones, silent, longer than ten minutes, or no alignment exists.
+  /// phones, silent, longer than ten minutes, or holds what is no number.
   [[nodiscard]] Alignment align(const Clip& sound, std::span<const Phone> phones);
 
   /// Several words in order, with or without pauses between.

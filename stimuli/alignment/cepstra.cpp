@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <pocketsphinx.h>
 #include <sphinxbase/cmd_ln.h>
 #include <sphinxbase/err.h>
 #include <sphinxbase/fe.h>
@@ -32,7 +31,8 @@ std::vector<Cepstra> with_slopes(std::span<const StaticCepstra> frames) {
   std::vector<Cepstra> made(frames.size());
   for (std::ptrdiff_t n = 0; n <= last; ++n) {
     const auto at = [&](std::ptrdiff_t offset, std::size_t i) {
-      return frames[static_cast<std::size_t>(std::clamp(n + offset, std::ptrdiff_t{0}, last))].at(i);
+      return frames[static_cast<std::size_t>(std::clamp(n + offset, std::ptrdiff_t{0}, last))].at(
+          i);
     };
     auto& frame = made[static_cast<std::size_t>(n)];
     for (std::size_t i = 0; i < kCoefficients; ++i) {
@@ -60,7 +60,7 @@ struct CepstraMaker::FrontEnd {
     // No frame may be left out, which would shift all that follow, and what comes must not depend
     // on what came before.
     std::unique_ptr<cmd_ln_t, FreeOptions> options{cmd_ln_init(nullptr,
-                                                               ps_args(),
+                                                               fe_get_args(),
                                                                FALSE,
                                                                "-remove_silence",
                                                                "no",
@@ -70,13 +70,14 @@ struct CepstraMaker::FrontEnd {
                                                                "no",
                                                                nullptr)};
     if (options != nullptr) {
-      cmd_ln_parse_file_r(options.get(), ps_args(), parameters.c_str(), FALSE);
+      cmd_ln_parse_file_r(options.get(), fe_get_args(), parameters.c_str(), FALSE);
       sphinx.reset(fe_init_auto_r(options.get()));
     }
     if (!sphinx || fe_get_output_size(sphinx.get()) != static_cast<int>(kCoefficients)) {
-      throw Error{fmt::format("setting the front end of '{}' up: SphinxBase cannot; reinstall the "
-                              "Debian package pocketsphinx-en-us",
-                              parameters.string())};
+      throw Error{
+          fmt::format("setting the front end of '{}' up: SphinxBase cannot; reinstall the "
+                      "Debian package pocketsphinx-en-us",
+                      parameters.string())};
     }
   }
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -20,30 +21,38 @@ static_assert(std::endian::native == std::endian::little, "the files are read as
 
 constexpr std::int32_t kByteOrder = 0x11223344;
 constexpr std::int32_t kDefinition = 0x46444d42;  // "BMDF"
-constexpr std::size_t kMost = 10'000'000;           ///< of anything that a header counts
+constexpr std::size_t kMost = 10'000'000;         ///< of anything that a header counts
 
 /// A file, read from its beginning to its end.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& file)
-      : name_{file.string()}, content_{read_file(file)}, rest_{content_} {}
+      : name_{file.string()}, content_{read_file(file)} {}
 
   [[noreturn]] void fail(std::string_view finding) const {
-    throw Error{fmt::format("reading the acoustic model '{}': {}; reinstall the Debian package "
-                            "pocketsphinx-en-us, or correct BIMODAL_ACOUSTICS",
-                            name_,
-                            finding)};
+    throw Error{
+        fmt::format("reading the acoustic model '{}': {}; reinstall the Debian package "
+                    "pocketsphinx-en-us, or correct BIMODAL_ACOUSTICS",
+                    name_,
+                    finding)};
   }
 
+  [[nodiscard]] std::size_t left() const { return content_.size() - at_; }
+
   std::string_view take(std::size_t bytes) {
-    if (bytes > rest_.size()) fail("it ends too early");
-    const auto taken = rest_.substr(0, bytes);
-    rest_.remove_prefix(bytes);
-    return taken;
+    if (bytes > left()) fail("it ends too early");
+    at_ += bytes;
+    return std::string_view{content_}.substr(at_ - bytes, bytes);
   }
 
   std::int32_t number() {
     std::int32_t value = 0;
+    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+    return value;
+  }
+
+  std::int16_t short_number() {
+    std::int16_t value = 0;
     std::memcpy(&value, take(sizeof value).data(), sizeof value);
     return value;
   }
@@ -57,7 +66,7 @@ class Reader {
   }
 
   std::vector<float> floats(std::size_t number) {
-    if (number > rest_.size() / sizeof(float)) fail("it ends too early");
+    if (number > left() / sizeof(float)) fail("it ends too early");
     std::vector<float> values(number);
     const auto bytes = take(number * sizeof(float));
     std::memcpy(values.data(), bytes.data(), bytes.size());
@@ -69,17 +78,20 @@ class Reader {
 
   /// Up to and with `end`.
   void skip_past(std::string_view end) {
-    const auto at = rest_.find(end);
-    if (at == std::string_view::npos) fail("it is of another kind");
-    rest_.remove_prefix(at + end.size());
+    const auto found = content_.find(end, at_);
+    if (found == std::string::npos) fail("it is of another kind");
+    at_ = found + end.size();
   }
 
   /// The text before the next zero byte.
   std::string_view text() {
-    const auto taken = take(std::min(rest_.find('\0'), rest_.size()));
+    const auto taken = take(std::min(content_.find('\0', at_), content_.size()) - at_);
     (void)take(1);
     return taken;
   }
+
+  /// On to a multiple of 4 bytes from the beginning.
+  void align() { (void)take((4 - at_ % 4) % 4); }
 
   void expect(std::int32_t value) {
     if (number() != value) fail("it is of another kind or byte order");
@@ -88,7 +100,7 @@ class Reader {
  private:
   std::string name_;
   std::string content_;
-  std::string_view rest_;
+  std::size_t at_ = 0;
 };
 
 Reader parameters(const std::filesystem::path& file) {
@@ -116,9 +128,10 @@ GaussianTable read_gaussians(const std::filesystem::path& file) {
   }
   const auto total = reader.count();
   if (total != read.codebooks * read.streams * read.densities * read.dimensions) {
-    reader.fail(fmt::format("it says that it holds {} numbers, which is not the product of its "
-                            "dimensions",
-                            total));
+    reader.fail(
+        fmt::format("it says that it holds {} numbers, which is not the product of its "
+                    "dimensions",
+                    total));
   }
   read.values = reader.floats(total);
   return read;
@@ -156,28 +169,78 @@ TransitionTable read_transitions(const std::filesystem::path& file) {
   if (reader.count() != read.states + 1) reader.fail("its models do not end in one state");
   const auto total = reader.count();
   if (total != read.models * read.states * (read.states + 1)) {
-    reader.fail(fmt::format("it says that it holds {} numbers, which is not the product of its "
-                            "dimensions",
-                            total));
+    reader.fail(
+        fmt::format("it says that it holds {} numbers, which is not the product of its "
+                    "dimensions",
+                    total));
   }
   read.values = reader.floats(total);
   return read;
 }
 
-std::vector<std::string> read_phone_names(const std::filesystem::path& file) {
+ModelDefinition read_definition(const std::filesystem::path& file) {
   Reader reader{file};
   reader.expect(kDefinition);
-  (void)reader.number();           // version
+  (void)reader.number();              // version
   (void)reader.take(reader.count());  // what the format is, in words
+  ModelDefinition read;
+  const auto names = reader.count();
   const auto phones = reader.count();
-  (void)reader.number();  // phones in context
-  const auto states = reader.count();
-  if (reader.count() != phones * states) reader.fail("phones without context share states");
-  constexpr std::size_t kOtherCounts = 6;
-  (void)reader.take(kOtherCounts * sizeof(std::int32_t));
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < phones; ++i) names.emplace_back(reader.text());
-  return names;
+  read.states = reader.count();
+  (void)reader.count();  // senones without context
+  const auto senones = reader.count();
+  (void)reader.count();  // transition matrices
+  const auto sequences = reader.count();
+  (void)reader.count();  // phones of context
+  const auto nodes = reader.count();
+  (void)reader.number();  // which phone is silence
+  for (std::size_t i = 0; i < names; ++i) read.names.emplace_back(reader.text());
+  reader.align();
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const auto key = reader.short_number();
+    const auto branches = reader.short_number();
+    read.tree.push_back({key, branches, reader.number()});
+    const auto& node = read.tree.back();
+    const auto end = std::int64_t{node.next} + std::max<std::int64_t>(node.branches, 1);
+    const bool leaf = node.branches == 0;
+    if (node.branches < 0 || node.next < (leaf ? -1 : 0) ||
+        end > static_cast<std::int64_t>(leaf ? phones : nodes)) {
+      reader.fail(fmt::format("node {} of its tree leads nowhere", i));
+    }
+  }
+  for (std::size_t i = 0; i < phones; ++i) {
+    const auto sequence = static_cast<std::size_t>(reader.number());
+    if (sequence >= sequences) reader.fail(fmt::format("phone {} has no senones", i));
+    read.sequence_of_phone.push_back(sequence);
+    (void)reader.take(2 * sizeof(std::int32_t));  // transition matrix and attributes
+  }
+  if (reader.count() != sequences * read.states) reader.fail("its senones are not complete");
+  for (std::size_t i = 0; i < sequences * read.states; ++i) {
+    const auto senone = static_cast<std::uint16_t>(reader.short_number());
+    if (senone >= senones) reader.fail(fmt::format("there is no senone {}", senone));
+    read.sequences.push_back(senone);
+  }
+  return read;
+}
+
+std::optional<std::size_t> triphone(const ModelDefinition& definition,
+                                    std::size_t place,
+                                    std::size_t phone,
+                                    std::size_t left,
+                                    std::size_t right) {
+  constexpr std::size_t kPlaces = 4;
+  auto branches = std::span{definition.tree}.first(std::min(kPlaces, definition.tree.size()));
+  for (const std::size_t key : {place, phone, left, right}) {
+    const auto found =
+        std::ranges::find(branches, static_cast<std::int16_t>(key), &TriphoneNode::key);
+    if (found == branches.end()) return std::nullopt;
+    if (found->branches == 0) {
+      return found->next < 0 ? std::nullopt : std::optional{static_cast<std::size_t>(found->next)};
+    }
+    branches = std::span{definition.tree}.subspan(static_cast<std::size_t>(found->next),
+                                                  static_cast<std::size_t>(found->branches));
+  }
+  return std::nullopt;
 }
 
 }  // namespace bimodal

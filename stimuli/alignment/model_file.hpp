@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,30 @@ struct TransitionTable {
 [[nodiscard]] MixtureTable read_mixtures(const std::filesystem::path& file);
 [[nodiscard]] TransitionTable read_transitions(const std::filesystem::path& file);
 
-/// The names of the phones of a model definition, in the order of its codebooks. Their senones
-/// without context are the first of the model, three to a phone in the same order.
-[[nodiscard]] std::vector<std::string> read_phone_names(const std::filesystem::path& file);
+/// A node of the tree in which triphones are looked up: word position, phone, left, right.
+struct TriphoneNode {
+  std::int16_t key = 0;
+  std::int16_t branches = 0;  ///< none: a triphone
+  std::int32_t next = 0;      ///< its first branch, or the triphone
+};
+
+/// Which senones make up each phone in each context.
+struct ModelDefinition {
+  std::vector<std::string> names;  ///< of the phones, in the order of their codebooks
+  std::size_t states = 0;          ///< of a phone's model
+  std::vector<TriphoneNode> tree;
+  std::vector<std::size_t> sequence_of_phone;  ///< of the phones, then of all triphones
+  std::vector<std::uint16_t> sequences;        ///< [sequence][state]: senones
+};
+
+[[nodiscard]] ModelDefinition read_definition(const std::filesystem::path& file);
+
+/// Which of all phones and triphones is `phone` between `left` and `right` at `place` of its word
+/// (0 inside, 1 first, 2 last, 3 alone); absent if the model does not know it.
+[[nodiscard]] std::optional<std::size_t> triphone(const ModelDefinition& definition,
+                                                  std::size_t place,
+                                                  std::size_t phone,
+                                                  std::size_t left,
+                                                  std::size_t right);
 
 }  // namespace bimodal

@@ -14,6 +14,7 @@ constexpr float kNever = -std::numeric_limits<float>::infinity();
 
 /// Log likelihood of the best path that has come to each state of a phone.
 using Reached = std::array<float, kStates>;
+constexpr Reached kNowhere{kNever, kNever, kNever};
 
 float leaving(const Reached& reached, const Transitions& transitions) {
   return reached.back() + transitions.leave.back();
@@ -44,14 +45,12 @@ Origins step(Reached& reached,
 /// The search's front, which moves on frame by frame.
 class Front {
  public:
-  Front(const PhoneGraph& graph, const PhoneScores& scores, const AcousticModel& model)
+  Front(const PhoneGraph& graph, const UnitScores& scores, const AcousticModel& model)
       : graph_{graph}, scores_{scores}, model_{model} {}
 
   [[nodiscard]] std::vector<Reached> begin() const {
-    Reached nowhere{};
-    nowhere.fill(kNever);
-    std::vector<Reached> reached(graph_.size(), nowhere);
-    reached.front().front() = scores_.at(0, modelled(graph_.front().phone)).front();
+    std::vector<Reached> reached(graph_.size(), kNowhere);
+    reached.front().front() = scores_.at(0, graph_.front().unit).front();
     return reached;
   }
 
@@ -59,28 +58,24 @@ class Front {
   void advance(std::vector<Reached>& reached, std::size_t frame, std::span<Origins> origins) const {
     // Backwards, so that what stands before a node is still as it was one frame ago.
     for (std::size_t node = graph_.size(); node-- > 0;) {
-      const auto& [phone, before] = graph_[node];
+      const auto& [phone, unit, before] = graph_[node];
       float entry = kNever;
       Origin origin = 0;
       for (std::size_t i = 0; i < before.size(); ++i) {
-        const float left =
-            leaving(reached[before[i]], model_.transitions(graph_[before[i]].phone));
+        const float left = leaving(reached[before[i]], model_.transitions(graph_[before[i]].phone));
         if (left <= entry) continue;
         entry = left;
         origin = static_cast<Origin>(i + 1);
       }
-      const auto found = step(reached[node],
-                              model_.transitions(phone),
-                              scores_.at(frame, modelled(phone)),
-                              entry,
-                              origin);
+      const auto found =
+          step(reached[node], model_.transitions(phone), scores_.at(frame, unit), entry, origin);
       if (!origins.empty()) origins[node] = found;
     }
   }
 
  private:
   const PhoneGraph& graph_;
-  const PhoneScores& scores_;
+  const UnitScores& scores_;
   const AcousticModel& model_;
 };
 
@@ -108,7 +103,7 @@ struct Trace {
 }  // namespace
 
 std::optional<std::vector<PathStep>> best_path(const PhoneGraph& graph,
-                                               const PhoneScores& scores,
+                                               const UnitScores& scores,
                                                const AcousticModel& model) {
   // The front is kept at the beginning of every block only; going back, each block is done again
   // with its origins.
@@ -143,37 +138,34 @@ std::optional<std::vector<PathStep>> best_path(const PhoneGraph& graph,
   return trace.steps;
 }
 
-double phone_likelihood(Phone phone,
+double phone_likelihood(const PhoneNode& node,
                         std::size_t first,
                         std::size_t frames,
-                        const PhoneScores& scores,
+                        const UnitScores& scores,
                         const AcousticModel& model) {
-  Reached reached{};
-  reached.fill(kNever);
+  const auto& transitions = model.transitions(node.phone);
+  auto reached = kNowhere;
   float entry = 0.0F;
   for (std::size_t frame = first; frame < first + frames; ++frame) {
-    step(reached, model.transitions(phone), scores.at(frame, modelled(phone)), entry, 1);
+    step(reached, transitions, scores.at(frame, node.unit), entry, 1);
     entry = kNever;
   }
-  return static_cast<double>(leaving(reached, model.transitions(phone)));
+  return static_cast<double>(leaving(reached, transitions));
 }
 
-double free_likelihood(std::size_t first,
+double free_likelihood(std::span<const PhoneNode> phones,
+                       std::size_t first,
                        std::size_t frames,
-                       const PhoneScores& scores,
+                       const UnitScores& scores,
                        const AcousticModel& model) {
-  Reached nowhere{};
-  nowhere.fill(kNever);
-  std::array<Reached, kPhoneCount> reached{};
-  reached.fill(nowhere);
+  std::vector<Reached> reached(phones.size(), kNowhere);
   float entry = 0.0F;
   for (std::size_t frame = first; frame < first + frames; ++frame) {
     float next = kNever;
-    for (const Phone phone : all_phones()) {
-      if (modelled(phone) != phone) continue;
-      auto& here = reached.at(static_cast<std::size_t>(phone));
-      step(here, model.transitions(phone), scores.at(frame, phone), entry, 1);
-      next = std::max(next, leaving(here, model.transitions(phone)));
+    for (std::size_t i = 0; i < phones.size(); ++i) {
+      const auto& transitions = model.transitions(phones[i].phone);
+      step(reached[i], transitions, scores.at(frame, phones[i].unit), entry, 1);
+      next = std::max(next, leaving(reached[i], transitions));
     }
     entry = next;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "stimuli/alignment/acoustic_model.hpp"
@@ -10,6 +11,7 @@ namespace bimodal {
 /// One phone that may be heard, and what may come just before it.
 struct PhoneNode {
   Phone phone = Phone::Rest;
+  std::size_t unit = 0;             ///< its column of scores
   std::vector<std::size_t> before;  ///< indices of nodes that stand before this one
 };
 
@@ -28,20 +30,21 @@ struct PathStep {
 /// pruning; absent if there are fewer frames than the shortest path needs. Memory grows with the
 /// nodes times the square root of the frames.
 [[nodiscard]] std::optional<std::vector<PathStep>> best_path(const PhoneGraph& graph,
-                                                             const PhoneScores& scores,
+                                                             const UnitScores& scores,
                                                              const AcousticModel& model);
 
 /// Log likelihood of the frames from `first` as one phone; minus infinity if they are too few.
-[[nodiscard]] double phone_likelihood(Phone phone,
+[[nodiscard]] double phone_likelihood(const PhoneNode& node,
                                       std::size_t first,
                                       std::size_t frames,
-                                      const PhoneScores& scores,
+                                      const UnitScores& scores,
                                       const AcousticModel& model);
 
-/// Log likelihood of the frames from `first` as the likeliest of all sequences of phones and rests.
-[[nodiscard]] double free_likelihood(std::size_t first,
+/// Log likelihood of the frames from `first` as the likeliest of all sequences of the phones.
+[[nodiscard]] double free_likelihood(std::span<const PhoneNode> phones,
+                                     std::size_t first,
                                      std::size_t frames,
-                                     const PhoneScores& scores,
+                                     const UnitScores& scores,
                                      const AcousticModel& model);
 
 }  // namespace bimodal

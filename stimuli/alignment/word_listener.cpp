@@ -17,7 +17,7 @@ struct WordListener::Ear {
 
 struct HeardStretch::Scores {
   const AcousticModel* model;
-  PhoneScores scores;
+  UnitScores scores;
   double free;
   double speech_frames;
 };
@@ -34,11 +34,8 @@ std::optional<double> HeardStretch::fit(std::span<const SpokenWord> words) const
   if (!path) return std::nullopt;
   double likelihood = 0.0;
   for (const auto& step : *path) {
-    likelihood += phone_likelihood(graph.nodes[step.node].phone,
-                                   step.first_frame,
-                                   step.frames,
-                                   scores_->scores,
-                                   *scores_->model);
+    likelihood += phone_likelihood(
+        graph.nodes[step.node], step.first_frame, step.frames, scores_->scores, *scores_->model);
   }
   return (likelihood - scores_->free) / scores_->speech_frames;
 }
@@ -55,8 +52,14 @@ WordListener& WordListener::operator=(WordListener&&) noexcept = default;
 
 HeardStretch WordListener::listen(const Clip& sound, Duration speech) {
   const auto heard = search_sound(sound);
-  auto scores = ear_->model.score(ear_->cepstra.make(heard.samples));
-  const auto free = free_likelihood(0, scores.frames(), scores, ear_->model);
+  const auto cepstra = ear_->cepstra.make(heard.samples);
+  const auto units = context_free_units(ear_->model, 0, cepstra.size());
+  auto scores = ear_->model.score(cepstra, units);
+  std::vector<PhoneNode> any_phones;
+  for (const Phone phone : all_phones()) {
+    if (modelled(phone) == phone) any_phones.push_back(context_free_node(phone));
+  }
+  const auto free = free_likelihood(any_phones, 0, cepstra.size(), scores, ear_->model);
   const double frames = std::max(
       1.0, static_cast<double>(speech.count()) / static_cast<double>(CepstraMaker::kFrame.count()));
   return HeardStretch{std::make_unique<HeardStretch::Scores>(

@@ -1,7 +1,6 @@
 #include "stimuli/corpus/build_corpus.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -30,7 +29,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLevelRange = 12.0;
-constexpr double kHighestWavSample = 1.0;
 
 double seconds(Duration duration) {
   return std::chrono::duration<double>{duration}.count();
@@ -129,7 +127,7 @@ class Builder {
                       "talker's voice with the picture, even if only the picture is shown",
                       file.string())};
     }
-    const auto sound = read_sound_track(file);
+    auto sound = read_sound_track(file);
     const auto said = words_in(file, sound);
     BuiltRecording built;
     built.items =
@@ -222,7 +220,7 @@ class Builder {
         "{}: not in the list, so not taken: {}", file.string(), fmt::join(ignored, ", ")));
   }
 
-  Recording keep_media(const fs::path& file, const Media& media, const Clip& sound) const {
+  Recording keep_media(const fs::path& file, const Media& media, Clip& sound) const {
     Recording recording;
     recording.file = take_media(file, request_.folder);
     const auto kept = request_.folder / recording.file;
@@ -243,17 +241,14 @@ class Builder {
     return recording;
   }
 
-  void write_sound(const std::string& name, const Clip& sound) const {
+  /// Cuts off in place what lossy decoding has pushed beyond full scale: Praat reads no floats, and
+  /// an hour of sound is not copied for that.
+  void write_sound(const std::string& name, Clip& sound) const {
     const auto folder = request_.folder / "sound";
     std::error_code failure;
     fs::create_directories(folder, failure);
-    auto whole = sound;
-    // Praat reads no floats; what lossy decoding has pushed beyond full scale is cut off here only.
-    for (auto& sample : whole.samples) {
-      sample = std::clamp(
-          sample, static_cast<float>(-kHighestWavSample), static_cast<float>(kHighestWavSample));
-    }
-    write_wav(folder / (name + ".wav"), whole, SampleFormat::Pcm24);
+    for (auto& sample : sound.samples) sample = std::clamp(sample, -1.0F, 1.0F);
+    write_wav(folder / (name + ".wav"), sound, SampleFormat::Pcm24);
   }
 
   void keep_labels(const std::string& name, const SaidWords& said, Duration length) {

@@ -1,6 +1,8 @@
 #include "stimuli/corpus/cut_items.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +14,9 @@
 namespace bimodal {
 
 namespace {
+
+/// Difference of fits between takes that are equally good.
+constexpr double kNearlyAsGood = 0.7;
 
 double seconds(Duration duration) {
   return std::chrono::duration<double>{duration}.count();
@@ -88,31 +93,46 @@ void doubt(CorpusItem& item, const std::string& why) {
   item.doubt += why;
 }
 
-/// The last good take stays without a doubt of its own, and goes before the others of its word.
-void choose_takes(std::vector<CorpusItem>& items) {
-  for (std::size_t first = 0; first < items.size(); ++first) {
-    std::vector<std::size_t> takes;
-    for (std::size_t i = first; i < items.size(); ++i) {
-      if (items[i].word == items[first].word) takes.push_back(i);
-    }
-    const bool seen = std::any_of(items.begin(),
-                                  items.begin() + static_cast<std::ptrdiff_t>(first),
-                                  [&](const auto& item) { return item.word == items[first].word; });
-    if (seen || takes.size() < 2) continue;
-    auto kept = takes.back();
-    for (const auto take : takes) {
-      if (items[take].doubt.empty()) kept = take;
-    }
-    for (const auto take : takes) {
-      if (take == kept) continue;
-      doubt(items[take],
-            fmt::format("another take; the one at {:.2f} s is the item",
-                        seconds(items[kept].phones.front().start)));
-    }
-    std::rotate(items.begin() + static_cast<std::ptrdiff_t>(first),
-                items.begin() + static_cast<std::ptrdiff_t>(kept),
-                items.begin() + static_cast<std::ptrdiff_t>(kept) + 1);
+/// An item and how well its sound fits.
+struct Take {
+  CorpusItem item;
+  double fit = 0.0;  ///< 0 where a hand labelled it
+};
+
+/// The last of the takes of a word that have no doubt and fit nearly as well as the best of these:
+/// a cough after a word may be taken for the word, but fits worse.
+std::size_t good_take(const std::vector<Take>& takes, const std::vector<std::size_t>& of_word) {
+  double best = -HUGE_VAL;
+  for (const auto take : of_word) {
+    if (takes[take].item.doubt.empty()) best = std::max(best, takes[take].fit);
   }
+  auto kept = of_word.back();
+  for (const auto take : of_word) {
+    if (takes[take].item.doubt.empty() && takes[take].fit >= best - kNearlyAsGood) kept = take;
+  }
+  return kept;
+}
+
+/// The good take stays without a doubt of its own, and goes before the others of its word.
+std::vector<CorpusItem> with_takes_chosen(std::vector<Take> takes) {
+  std::map<std::string, std::vector<std::size_t>> of_words;
+  for (std::size_t i = 0; i < takes.size(); ++i) of_words[takes[i].item.word].push_back(i);
+  std::vector<CorpusItem> items;
+  for (const auto& first : takes) {
+    auto& of_word = of_words[first.item.word];
+    if (of_word.empty()) continue;
+    const auto kept = good_take(takes, of_word);
+    items.push_back(takes[kept].item);
+    for (const auto take : of_word) {
+      if (take == kept) continue;
+      items.push_back(takes[take].item);
+      doubt(items.back(),
+            fmt::format("another take; the one at {:.2f} s is the item",
+                        seconds(takes[kept].item.phones.front().start)));
+    }
+    of_word.clear();
+  }
+  return items;
 }
 
 }  // namespace
@@ -120,11 +140,14 @@ void choose_takes(std::vector<CorpusItem>& items) {
 std::vector<CorpusItem> cut_items(const SaidWords& said,
                                   const Clip& sound,
                                   const std::function<bool(std::string_view)>& is_wanted) {
-  std::vector<CorpusItem> items;
+  std::vector<Take> takes;
   for (std::size_t i = 0; i < said.words.size(); ++i) {
-    if (is_wanted(said.words[i].word)) items.push_back(cut_item(said, i, sound));
+    const auto& word = said.words[i];
+    if (is_wanted(word.word)) takes.push_back({cut_item(said, i, sound), word.fit.value_or(0.0)});
   }
-  if (!said.running) choose_takes(items);
+  if (!said.running) return with_takes_chosen(std::move(takes));
+  std::vector<CorpusItem> items;
+  for (auto& take : takes) items.push_back(std::move(take.item));
   return items;
 }
 

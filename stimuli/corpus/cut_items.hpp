@@ -20,7 +20,8 @@ inline constexpr Duration kLeastMargin = std::chrono::milliseconds{50};
 /// word or sound begins there, but kLeastMargin in any case; where that holds a neighbour's speech,
 /// `clear` says so. Of words that stand alone, that is doubted; of running speech it is the rule.
 /// Doubted as well are a margin shortened by the recording's own ends, clipped sound, and, of words
-/// that stand alone, all but the last good take of a word said several times, which comes first.
+/// that stand alone, all but one take of a word said several times: the last that has no doubt and
+/// fits nearly as well as the best stays, and comes first.
 [[nodiscard]] std::vector<CorpusItem> cut_items(
     const SaidWords& said,
     const Clip& sound,

@@ -35,6 +35,8 @@ constexpr double kPairToMedian = 1.25;
 constexpr Duration kLongestWord = 3s;
 /// A word that fits this much worse than another one is doubtful: of words really said 5 % do.
 constexpr float kMoreLikeAnother = -1.5F;
+/// Percent of a chunk that the word's phones must cover.
+constexpr std::int64_t kLeastCoverage = 65;
 /// What is read out of order must fit nearly as well as the best.
 constexpr float kOutOfOrder = -0.7F;
 
@@ -213,6 +215,7 @@ class ListSearch {
         tell("aligning the words", matches.size());
       };
     });
+    doubt_alleged_takes(matches, late, aligned);
     SaidWords said;
     std::vector<bool> is_word(chunks_.size());
     for (std::size_t index = 0; index < matches.size(); ++index) {
@@ -223,6 +226,26 @@ class ListSearch {
       if (!is_word[chunk]) said.others.push_back(chunks_[chunk]);
     }
     return said;
+  }
+
+  /// What sounds like a word said again may be the word after it, if that is missing: neighbours in
+  /// an alphabetical list sound alike.
+  void doubt_alleged_takes(const std::vector<Match>& matches,
+                           const std::vector<Match>& late,
+                           std::vector<std::vector<SaidWord>>& aligned) const {
+    std::vector<bool> found(words_.size() + 1);
+    found.back() = true;
+    for (const auto& match : matches) {
+      if (std::ranges::find(late, match) != late.end()) continue;
+      found[match.word] = true;
+      if (match.with_next) found[match.word + 1] = true;
+    }
+    for (std::size_t i = 1; i < matches.size(); ++i) {
+      const auto word = matches[i].word;
+      if (matches[i - 1].word != word || found[word + 1]) continue;
+      aligned[i].front().doubts.push_back(
+          fmt::format("may be \"{}\", which is not in its place", words_[word + 1].spelling));
+    }
   }
 
   std::vector<SaidWord> align(Aligner& aligner, const Match& match) {
@@ -238,10 +261,21 @@ class ListSearch {
         word.doubts.push_back(fmt::format("sounds more like \"{}\"", words_[*best.word].spelling));
       }
     }
+    judge_coverage(said, stretch.chunk);
     if (match.with_next) {
       for (auto& word : said) word.doubts.emplace_back("read without a pause to its neighbour");
     }
     return said;
+  }
+
+  /// Where much of the chunk is left over, something else is said too, or the alignment is wrong.
+  static void judge_coverage(std::vector<SaidWord>& said, const SpeechInterval& chunk) {
+    const auto covered =
+        std::min(said.back().end(), chunk.end) - std::max(said.front().start(), chunk.start);
+    const auto percent = 100 * covered / (chunk.end - chunk.start);
+    if (percent >= kLeastCoverage) return;
+    said.front().doubts.push_back(fmt::format("its phones cover only {} % of the sound there",
+                                              std::max<std::int64_t>(0, percent)));
   }
 
   const Clip& sound_;

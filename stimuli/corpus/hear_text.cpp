@@ -27,6 +27,7 @@ SaidWord align_placed(Aligner& aligner, const Clip& sound, const PlacedWord& pla
   first.start = place.start;
   said.phones.back().duration = place.end - said.phones.back().start;
   said.doubts = duration_doubts(said.phones);
+  said.fit.reset();
   return said;
 }
 

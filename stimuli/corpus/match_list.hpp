@@ -51,7 +51,7 @@ struct MatchCosts {
   float worst = -3.0F;         ///< a match of any fit is not worth less than this
   float skipped_chunk = 0.3F;  ///< a cough, a comment
   float skipped_word = 0.3F;   ///< not read
-  float again = 0.4F;          ///< the word before is said once more
+  float again = 1.0F;          ///< the word before is said once more; a cough is likelier
 };
 
 /// A chunk and the word that it is.

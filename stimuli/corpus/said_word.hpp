@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace bimodal {
 struct SaidWord {
   std::string word;                 ///< lower case
   std::vector<TimedPhone> phones;   ///< on the recording's time, without gaps; at least one
+  std::optional<double> fit;        ///< Alignment::fit_of_word; absent where a hand labelled it
   std::vector<std::string> doubts;  ///< each why somebody should look, in words for a phonetician
 
   [[nodiscard]] Duration start() const { return phones.front().start; }

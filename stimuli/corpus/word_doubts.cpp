@@ -46,11 +46,13 @@ std::vector<SaidWord> said_words(const Alignment& alignment, Duration start) {
       made.phones.back().start += start;
     }
     made.doubts = duration_doubts(made.phones);
-    if (const double fit = alignment.fit_of_word.at(i); fit < kPoorFit) {
+    const double fit = alignment.fit_of_word.at(i);
+    made.fit = fit;
+    if (fit < kDoubtfulFit) {
       made.doubts.push_back(
           fmt::format("its sound hardly fits the phones (fit {:.1f}, good words are above {:.1f})",
                       fit,
-                      kPoorFit));
+                      kDoubtfulFit));
     }
     said.push_back(std::move(made));
   }

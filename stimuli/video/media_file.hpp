@@ -44,7 +44,10 @@ struct Media {
 /// variable rate, reading the packets' times, no more than a minute of them). The file is not
 /// trusted. Throws Error, naming the file, what was found and the remedy, if it is missing, empty,
 /// no media file, damaged at its beginning, has neither sound nor picture, is longer than
-/// kLongestMedia, or has a picture beyond kMostPicturePixels.
+/// kLongestMedia, or has a picture beyond kMostPicturePixels. Still pictures, playlists and texts
+/// drawn as video are refused, covers are no picture; no other file than this one is opened. Of a
+/// file that breaks off, what it holds counts; of one of more than a minute, the lengths are those
+/// that it claims.
 [[nodiscard]] Media examine_media(const std::filesystem::path& file);
 
 inline constexpr Duration kLongestMedia = std::chrono::hours{4};

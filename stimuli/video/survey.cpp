@@ -89,40 +89,8 @@ void note(TrackView& view, const AVPacket& packet, bool ogg) {
   }
 }
 
-/// Whether the starts lie on the grid of `rate` from the first on, each on the next place, but for
-/// the rounding of their unit.
-bool follow(const std::vector<Duration>& starts, AVRational rate, AVRational unit) {
-  if (rate.num <= 0 || rate.den <= 0) return false;
-  const double period = 1e9 / av_q2d(rate);
-  const double tolerance = std::min(1.01 * av_q2d(unit) * 1e9, period / 4);
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    const auto expected = static_cast<double>(i) * period;
-    const auto found = static_cast<double>((starts[i] - starts.front()).count());
-    if (std::abs(found - expected) > std::max(tolerance, 1000.0)) return false;
-  }
-  return true;
-}
-
-FrameTimes times_of(TrackView& view) {
-  const auto& track = *view.track;
-  FrameTimes times{.rate = track.avg_frame_rate,
-                   .regular = false,
-                   .complete = view.complete,
-                   .starts = std::move(view.starts)};
-  auto& starts = times.starts;
-  std::ranges::sort(starts);
-  if (std::ranges::adjacent_find(starts) != starts.end()) times.complete = false;
-  // What is predicted from frames before the file's beginning is never seen.
-  const auto first = view.start.value_or(Duration::min());
-  starts.erase(starts.begin(), std::ranges::lower_bound(starts, first));
-  for (const auto rate : {track.avg_frame_rate, track.r_frame_rate}) {
-    if (!follow(starts, rate, track.time_base)) continue;
-    times.rate = rate;
-    times.regular = true;
-    break;
-  }
-  if (times.rate.num <= 0 || times.rate.den <= 0) times.rate = track.r_frame_rate;
-  return times;
+FrameTimes times_of(const TrackView& view) {
+  return frame_times(*view.track, view.starts, view.start.value_or(Duration::min()), view.complete);
 }
 
 /// Degrees clockwise by which the stored picture is turned to be upright.
@@ -209,41 +177,54 @@ Duration length_of(const TrackView& view, bool whole, const Container& container
   return std::max(end - start, Duration{});
 }
 
+/// A track without a decoder counts as absent.
 void look_at(TrackView& view, AVStream* track, const std::filesystem::path& file) {
+  if (track == nullptr || avcodec_find_decoder(track->codecpar->codec_id) == nullptr) return;
   view.track = track;
-  if (track != nullptr) view.decoder.emplace(file, *track, 1);
+  view.decoder.emplace(file, *track, 1);
 }
 
-/// Reads on until the first frames are known and, with a picture, its times far enough. True if the
-/// end of the file was reached.
+/// Whether a track was looked through far enough: a minute, and up to `until` if frames are uneven.
+class Enough {
+ public:
+  explicit Enough(Duration until) : until_{until} {}
+
+  [[nodiscard]] bool reached(const TrackView& view) {
+    if (!view.reached || !view.start) return false;
+    const auto seen = *view.reached - *view.start;
+    if (seen <= kLookThrough) return false;
+    if (!judged_) {
+      const bool video = view.track->codecpar->codec_type == AVMEDIA_TYPE_VIDEO;
+      judged_ = true;
+      even_ = !video || !view.complete || times_of(view).regular;
+    }
+    return even_ || seen > until_ + kReordering;
+  }
+
+ private:
+  Duration until_;
+  bool judged_ = false;
+  bool even_ = false;  ///< the first minute
+};
+
+/// Reads on until the first frames are known and enough was seen. True if the end of the file was
+/// reached.
 bool look_through(Container& container, TrackView& picture, TrackView& sound, Duration until) {
   const auto packet = new_packet();
   const bool ogg = std::string_view{container.format().iformat->name} == "ogg";
-  bool beyond = false;
-  while (!(beyond && !picture.waiting() && !sound.waiting())) {
-    if (!container.read(*packet)) {
-      keep_first(picture, nullptr);
-      keep_first(sound, nullptr);
-      return true;
+  const auto& leading = picture.track != nullptr ? picture : sound;
+  Enough enough{until};
+  while (container.read(*packet)) {
+    for (auto* view : {&picture, &sound}) {
+      if (view->track == nullptr || view->track->index != packet->stream_index) continue;
+      keep_first(*view, packet.get());
+      note(*view, *packet, ogg);
     }
-    auto& view =
-        picture.track != nullptr && packet->stream_index == picture.track->index ? picture : sound;
-    keep_first(view, packet.get());
-    note(view, *packet, ogg);
-    if (!view.reached || !view.start || &view != (picture.track != nullptr ? &picture : &sound)) {
-      continue;
-    }
-    const auto seen = *view.reached - *view.start;
-    if (beyond || seen <= kLookThrough) continue;
-    beyond = true;
-    if (picture.track == nullptr) continue;
-    TrackView copy{.track = picture.track,
-                   .start = picture.start,
-                   .complete = picture.complete,
-                   .starts = picture.starts};
-    beyond = !picture.complete || times_of(copy).regular || seen > until + kReordering;
+    if (!picture.waiting() && !sound.waiting() && enough.reached(leading)) return false;
   }
-  return false;
+  keep_first(picture, nullptr);
+  keep_first(sound, nullptr);
+  return true;
 }
 
 }  // namespace
@@ -254,6 +235,10 @@ Survey survey_of(const std::filesystem::path& file, Duration until) {
   TrackView sound;
   look_at(picture, container.picture(), file);
   look_at(sound, container.sound(), file);
+  if (picture.track == nullptr && sound.track == nullptr) {
+    const auto* track = container.picture() != nullptr ? container.picture() : container.sound();
+    const TrackDecoder refused{file, *track, 1};
+  }
 
   Survey survey;
   survey.whole = look_through(container, picture, sound, std::min(until, 2 * kLongestMedia));

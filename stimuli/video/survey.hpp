@@ -1,23 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <vector>
 
+#include "stimuli/video/frame_times.hpp"
 #include "stimuli/video/libav.hpp"
 #include "stimuli/video/media_file.hpp"
 
 namespace bimodal::libav {
-
-/// When the frames of a picture track are seen, on the file's clock, as far as its packets were
-/// looked through.
-struct FrameTimes {
-  AVRational rate{.num = 0, .den = 1};  ///< frames a second; 0/1 if unknown
-  bool regular = false;                 ///< frame i begins at the first one's time + i / rate
-  bool complete = false;                ///< every packet names its time, no two the same
-  std::vector<Duration> starts;         ///< in order; of those looked through
-};
 
 /// All that must be known of a file before a stretch of it is decoded.
 struct Survey {
@@ -34,8 +24,8 @@ struct Survey {
 /// examine_media does.
 [[nodiscard]] Survey survey_of(const std::filesystem::path& file, Duration until = {});
 
-/// `span` within the length of the file. Throws Error if it is not: begins before 0, has no length,
-/// or ends more than 50 ms after the file.
+/// The end of a stretch, at most 50 ms after that of the file. Throws Error if the stretch begins
+/// before 0 or after the file, has no length, ends later, or goes beyond where the file breaks off.
 [[nodiscard]] Duration end_within(const Survey& survey,
                                   const std::filesystem::path& file,
                                   Duration start,

@@ -6,6 +6,7 @@
 #include <sqlite3.h>
 #include <sys/stat.h>
 
+#include "runner/store/schema.hpp"
 #include "runner/store/session_store.hpp"
 #include "runner/store/store_error.hpp"
 #include "runner/store/stored_session.hpp"
@@ -73,7 +74,17 @@ TrialRecord trial(int number) {
   record.onsets = {{"visual", 5s, 5s + 1ms, "swap_returned"},
                    {"auditory", 5s, std::nullopt, "none"}};
   record.sound = SoundRecord{.sha256 = "f00", .rate_hz = 48'000, .samples = 3, .noise_dbfs = -18.0};
-  record.refreshes = {{0, 1}, {5s, 5s + 16ms}, {5s + 1ms, 5s + 17ms}};
+  record.refreshes = {.frame = {0, 1},
+                      .source_frame = {31, -1},
+                      .planned = {5s, 5s + 16ms},
+                      .shown = {5s + 1ms, 5s + 17ms}};
+  record.recordings = {{.modality = "visual",
+                        .talker = "corpus:natural",
+                        .item = "stew-2",
+                        .file = "media/one.mp4",
+                        .sha256 = "f00",
+                        .start = 12s,
+                        .end = 13s}};
   record.response = {.text = "st\xc3\xbc 'DROP TABLE", .submitted = 8s, .first_key = 7s};
   record.keystrokes = {{7s, "poll", "s"}, {8s, "poll", "Enter"}};
   record.events = {{5s, "late_frame", "2 refreshes"}};
@@ -106,6 +117,66 @@ TEST_F(SqliteStoreTest, ReadsBackEverythingThatWasStored) {
   EXPECT_EQ(stored.trial.sound->noise_dbfs, -18.0);
   EXPECT_EQ(stored.trial.keystrokes.size(), 2U);
   EXPECT_EQ(stored.trial.events.at(0).kind, "late_frame");
+}
+
+TEST_F(SqliteStoreTest, ReadsBackWhichRecordingWasShownAndWhichOfItsFrames) {
+  {
+    const auto store = open_sqlite_store(file_);
+    auto with_corpus = session();
+    with_corpus.cast = R"({"without": ["V_nat"]})";
+    auto dubbed = plan();
+    dubbed[0].visual_word = "do";
+    store->add(store->begin(with_corpus, dubbed), trial(0));
+  }
+  const auto sessions = read_sessions(file_, Detail::Everything);
+  EXPECT_EQ(sessions[0].session.cast, R"({"without": ["V_nat"]})");
+  const auto& stored = sessions[0].trials[0];
+  EXPECT_EQ(stored.plan.visual_word, "do");
+  EXPECT_EQ(stored.trial.refreshes.source_frame, (std::vector<std::int64_t>{31, -1}));
+  ASSERT_EQ(stored.trial.recordings.size(), 1U);
+  EXPECT_EQ(stored.trial.recordings[0].item, "stew-2");
+  EXPECT_EQ(stored.trial.recordings[0].end, 13s);
+}
+
+/// A file as the first version of the program left it.
+void make_version_1(const std::filesystem::path& file) {
+  sqlite3* raw = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &raw), SQLITE_OK);
+  const auto run = [raw](const std::string& sql) {
+    ASSERT_EQ(sqlite3_exec(raw, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+        << sqlite3_errmsg(raw);
+  };
+  run(kVersion1);
+  run("PRAGMA application_id = " + std::to_string(kApplicationId));
+  run("PRAGMA user_version = 1");
+  run("INSERT INTO protocol VALUES ('f00', 'old', '{}')");
+  run("INSERT INTO session VALUES (1, 'P01', 1, 1, 'f00', '7', '0.1', 0, 0, '', '2026', NULL, "
+      "'complete', 'sdl', '', '', 'none', '', '', 16, 0, 100)");
+  run("INSERT INTO plan VALUES (1, 0, 'main', 0, 'stew', 'S T UW', 'A', NULL, 'face', NULL, '3')");
+  run("INSERT INTO trial VALUES (1, 0, 5, 6, 0, 'stew', 9, NULL, 0, '[0]', '[0]', '[1]')");
+  sqlite3_close(raw);
+}
+
+TEST_F(SqliteStoreTest, ReadsAFileOfTheFirstVersion) {
+  make_version_1(file_);
+  const auto sessions = read_sessions(file_, Detail::Everything);
+  ASSERT_EQ(sessions.size(), 1U);
+  EXPECT_EQ(sessions[0].trials.at(0).trial.response.text, "stew");
+  EXPECT_EQ(sessions[0].trials[0].plan.visual_word, std::nullopt);
+  EXPECT_TRUE(sessions[0].session.cast.empty());
+}
+
+TEST_F(SqliteStoreTest, RaisesAFileOfTheFirstVersionAndKeepsWhatItHolds) {
+  make_version_1(file_);
+  {
+    const auto store = open_sqlite_store(file_);
+    store->add(store->begin(session(), plan()), trial(0));
+  }
+  const auto sessions = read_sessions(file_, Detail::Everything);
+  ASSERT_EQ(sessions.size(), 2U);
+  EXPECT_EQ(sessions[0].trials.at(0).trial.response.text, "stew");
+  EXPECT_EQ(sessions[0].trials[0].trial.refreshes.shown.at(0), 6ns);
+  EXPECT_EQ(sessions[1].trials.at(0).trial.recordings.size(), 1U);
 }
 
 TEST_F(SqliteStoreTest, AppendsToAnExistingFile) {

@@ -68,13 +68,13 @@ TEST(SpokenText, OfAnyBytesIsReadOrRefused) {
           text[at] = byte;
           break;
         case 1:
-          text.insert(at, 1, byte);
+          text.insert(text.begin() + static_cast<std::ptrdiff_t>(at), byte);
           break;
         default:
           text.erase(at, random.below(5));
           break;
       }
-      if (text.empty()) text = "x";
+      if (text.empty()) text.push_back('x');
     }
     try {
       for (const auto& [name, words] : parse_texts(text, "fuzz")) {

@@ -165,6 +165,16 @@ TEST_F(MediaFile, SaysWhereATruncatedRecordingBreaksOff) {
   while (before.next()) ++frames;
   EXPECT_EQ(frames, 25);
   EXPECT_NE(refusal(holding("stub.mkv", content.substr(0, 300))), "no error");
+
+  const auto indexed = made("indexed.mp4",
+                            numbered_frames("25", "4") +
+                                " -f lavfi -i sine=d=4 -c:a pcm_s16le -f mov -c:v libx264 "
+                                "-g 25 -movflags faststart");
+  const auto start = read_file(indexed);
+  const auto most = holding("most.mp4", start.substr(0, start.size() * 3 / 4));
+  EXPECT_THAT(message_of([&] { FrameReader{most, {}}; }), HasSubstr("claims more"));
+  EXPECT_THAT(message_of([&] { (void)read_sound_track(most); }), HasSubstr("claims more"));
+  EXPECT_EQ(read_sound_track(most, Hertz{0}, {0s, 1s}).samples.size(), 44'100U);
 }
 
 TEST_F(MediaFile, ThrowsAtTheFrameThatIsDamagedAfterHandingOutThoseBefore) {
