@@ -93,12 +93,14 @@ void add_corpus(CLI::App& app, Verb& chosen) {
       "Makes and judges corpora: a talker's recordings, cut into words, with every phone's "
       "time.\n\n"
       "Examples:\n"
+      "  bimodal corpus record --words monosyllables-414 -o anna-takes\n"
       "  bimodal corpus build reading.mp4 --words monosyllables-414 --talker anna -o anna\n"
       "  bimodal corpus check anna       is everything there, and good?\n"
       "  bimodal corpus sheet anna       every word as pictures and sound wave, to look at\n"
       "  bimodal corpus list anna        what is in it\n"
       "  bimodal corpus accept anna stew-2");
   corpus->require_subcommand(1);
+  add_corpus_record(*corpus, chosen);
   add_corpus_build(*corpus, chosen);
   add_corpus_check(*corpus, chosen);
   add_corpus_list(*corpus, chosen);

@@ -11,6 +11,7 @@
 namespace bimodal::runner {
 
 // Each adds one sub-verb of `corpus`.
+void add_corpus_record(CLI::App& corpus, Verb& chosen);
 void add_corpus_build(CLI::App& corpus, Verb& chosen);
 void add_corpus_check(CLI::App& corpus, Verb& chosen);
 void add_corpus_list(CLI::App& corpus, Verb& chosen);

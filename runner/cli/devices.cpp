@@ -1,28 +1,39 @@
 #include <fmt/format.h>
 
 #include "runner/cli/verbs.hpp"
+#include "runner/devices/portaudio/portaudio_input.hpp"
 #include "runner/devices/portaudio/portaudio_output.hpp"
 
 namespace bimodal::runner {
 
 namespace {
 
+void list_microphones() {
+  const auto microphones = describe_microphones();
+  if (microphones.empty()) return;
+  fmt::print("microphones for `corpus record --device`:\n");
+  for (const auto& device : microphones) fmt::print("  {}\n", device);
+}
+
 ExitCode list_devices(bool only_ask_for_sound) {
   const auto sounds = describe_audio_devices();
   if (only_ask_for_sound) return sounds.empty() ? ExitCode::Findings : ExitCode::Done;
   if (sounds.empty()) {
     fmt::print("no sound device was found; use `run --audio none`, or start a sound server\n");
+    list_microphones();
     return ExitCode::Findings;
   }
   fmt::print("sound devices for `run --audio`:\n");
   for (const auto& device : sounds) fmt::print("  {}\n", device);
+  list_microphones();
   return ExitCode::Done;
 }
 
 }  // namespace
 
 void add_devices(CLI::App& app, Verb& chosen) {
-  auto* const verb = app.add_subcommand("devices", "Lists the sound devices of this machine.");
+  auto* const verb =
+      app.add_subcommand("devices", "Lists the sound devices and microphones of this machine.");
   auto has_sound = std::make_shared<bool>(false);
   verb->add_flag("--has-sound", *has_sound, "print nothing; exit 0 if there is one, else 1");
   verb->callback(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -35,12 +36,24 @@ struct Caption {
   double size = 0.03;     ///< line height as a part of the window's height
 };
 
+/// A coloured disc or box. Places are parts of the window's width (x) and height (y, from the top).
+struct Mark {
+  enum class Shape { Disc, Box };
+  Shape shape = Shape::Box;
+  double centre_x = 0.5;
+  double centre_y = 0.5;
+  double width = 0.0;   ///< of a box, as a part of the window's width
+  double height = 0.0;  ///< of a box, or a disc's diameter, as a part of the window's height
+  std::array<float, 3> colour{};  ///< red, green, blue, each from 0 to 1
+};
+
 /// Everything that is on the screen at one refresh.
 struct Screen {
   const Picture* picture = nullptr;  ///< in the middle of the window; none: background
   bool fixation = false;             ///< a cross in the middle
   std::vector<Caption> captions{};
-  double progress = -1.0;  ///< part of the session done, as a bar at the bottom; < 0: no bar
+  double progress = -1.0;     ///< part of the session done, as a bar at the bottom; < 0: no bar
+  std::vector<Mark> marks{};  ///< in this order, below the captions
 };
 
 /// What became of one requested refresh.

@@ -10,6 +10,8 @@ std::string label(const Keystroke& stroke) {
       return "Backspace";
     case Key::Enter:
       return "Enter";
+    case Key::Left:
+      return "Left";
     case Key::Escape:
       return "Escape";
     case Key::WindowClosed:

@@ -7,7 +7,7 @@
 
 namespace bimodal::runner {
 
-enum class Key { Text, Backspace, Enter, Escape, WindowClosed };
+enum class Key { Text, Backspace, Enter, Left, Escape, WindowClosed };
 
 struct Keystroke {
   Key key = Key::Text;

@@ -13,9 +13,7 @@ namespace bimodal::runner {
 
 namespace {
 
-constexpr const char* kRemedy = "run without sound by --audio none";
-
-AudioDevice device_at(PaDeviceIndex index, const PaDeviceInfo& found) {
+AudioDevice output_at(PaDeviceIndex index, const PaDeviceInfo& found) {
   const PaHostApiInfo* const host = Pa_GetHostApiInfo(found.hostApi);
   return {.index = index,
           .name = found.name,
@@ -24,6 +22,14 @@ AudioDevice device_at(PaDeviceIndex index, const PaDeviceInfo& found) {
           .default_rate = found.defaultSampleRate,
           .safe_latency = found.defaultHighOutputLatency,
           .is_default = index == Pa_GetDefaultOutputDevice()};
+}
+
+AudioDevice input_at(PaDeviceIndex index, const PaDeviceInfo& found) {
+  auto device = output_at(index, found);
+  device.channels = found.maxInputChannels;
+  device.safe_latency = found.defaultHighInputLatency;
+  device.is_default = index == Pa_GetDefaultInputDevice();
+  return device;
 }
 
 }  // namespace
@@ -55,15 +61,14 @@ PortaudioSession::PortaudioSession() {
   const SilencedStderr quiet;
   const PaError failure = Pa_Initialize();
   if (failure != paNoError) {
-    throw DeviceError{fmt::format("cannot start PortAudio: {}; check the sound system or {}",
-                                  Pa_GetErrorText(failure),
-                                  kRemedy)};
+    throw DeviceError{fmt::format("cannot start PortAudio: {}; check the sound system",
+                                  Pa_GetErrorText(failure))};
   }
   for (PaDeviceIndex index = 0; index < Pa_GetDeviceCount(); ++index) {
     const PaDeviceInfo* const found = Pa_GetDeviceInfo(index);
-    if (found != nullptr && found->maxOutputChannels > 0) {
-      devices_.push_back(device_at(index, *found));
-    }
+    if (found == nullptr) continue;
+    if (found->maxOutputChannels > 0) devices_.push_back(output_at(index, *found));
+    if (found->maxInputChannels > 0) inputs_.push_back(input_at(index, *found));
   }
 }
 
@@ -74,12 +79,13 @@ PortaudioSession::~PortaudioSession() {
 }
 
 const AudioDevice& choose_device(const std::vector<AudioDevice>& devices,
-                                 const std::string& wanted) {
+                                 const std::string& wanted,
+                                 const SoundUse& use) {
   if (devices.empty()) {
-    throw DeviceError{
-        fmt::format("cannot open a sound output: this machine has none; connect one, start a sound "
-                    "server, or {}",
-                    kRemedy)};
+    throw DeviceError{fmt::format(
+        "cannot open a {}: this machine has none; connect one, start a sound server, or {}",
+        use.device,
+        use.remedy)};
   }
   if (wanted.empty()) {
     // Where a JACK server runs it is meant: PortAudio would take ALSA's detour to the same server.
@@ -102,10 +108,11 @@ const AudioDevice& choose_device(const std::vector<AudioDevice>& devices,
   std::string list;
   for (const auto& device : devices) list += "\n  " + describe(device);
   throw DeviceError{
-      fmt::format("cannot open the sound output '{}': there is none of that name; "
+      fmt::format("cannot open the {} '{}': there is none of that name; "
                   "choose one of these or {}:{}",
+                  use.device,
                   wanted,
-                  kRemedy,
+                  use.remedy,
                   list)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bimodal::runner {
@@ -21,7 +22,7 @@ class SilencedStderr {
   int kept_ = -1;  ///< the real stderr
 };
 
-/// A device with outputs.
+/// A device with outputs, or one with inputs.
 struct AudioDevice {
   int index = 0;  ///< PortAudio's
   std::string name;
@@ -48,18 +49,33 @@ class PortaudioSession {
   /// Those with outputs, in PortAudio's order.
   [[nodiscard]] const std::vector<AudioDevice>& devices() const { return devices_; }
 
+  /// Those with inputs, in PortAudio's order, with what is true of their inputs.
+  [[nodiscard]] const std::vector<AudioDevice>& inputs() const { return inputs_; }
+
   /// Leaves PortAudio as it is at the end: for when its sound server is gone.
   void abandon() { abandoned_ = true; }
 
  private:
   std::vector<AudioDevice> devices_;
+  std::vector<AudioDevice> inputs_;
   bool abandoned_ = false;
 };
+
+/// How messages name a device of one direction, and the way without it.
+struct SoundUse {
+  std::string_view device = "sound output";
+  std::string_view remedy = "run without sound by --audio none";
+};
+
+inline constexpr SoundUse kPlaying{};
+inline constexpr SoundUse kRecording{
+    "microphone", "try without one by --input simulated:FILE, a recording of the words"};
 
 /// The device meant by an index, a whole name or a part of a name (the first that has it); empty
 /// means the default, or the first if there is none. Throws DeviceError listing the devices if none
 /// is meant.
 [[nodiscard]] const AudioDevice& choose_device(const std::vector<AudioDevice>& devices,
-                                               const std::string& wanted);
+                                               const std::string& wanted,
+                                               const SoundUse& use = kPlaying);
 
 }  // namespace bimodal::runner

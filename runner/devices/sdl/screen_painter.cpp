@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -41,6 +42,7 @@ constexpr std::size_t kKeptCaptions = 64;
 constexpr double kCaptionWidth = 0.86;     ///< of the window's width, then it wraps
 constexpr double kCaptionShrink = 0.9;     ///< per attempt, for a caption higher than the window
 constexpr double kFixationSize = 0.03;     ///< of the window's height
+constexpr int kDiscPixels = 256;           ///< of the texture, scaled to what is wanted
 constexpr double kProgressWidth = 0.4;     ///< of the window's width
 constexpr double kProgressHeight = 0.008;  ///< of the window's height
 constexpr double kProgressPlace = 0.965;   ///< of the window's height, from the top
@@ -85,6 +87,33 @@ GLuint new_texture() {
   return texture;
 }
 
+/// A smooth disc that fills its texture. Its edge is two texels wide: drawn smaller, it is smooth.
+GLuint disc_texture() {
+  std::vector<std::uint8_t> coverage;
+  coverage.reserve(static_cast<std::size_t>(kDiscPixels) * kDiscPixels);
+  constexpr double kMiddle = (kDiscPixels - 1) / 2.0;
+  for (int y = 0; y < kDiscPixels; ++y) {
+    for (int x = 0; x < kDiscPixels; ++x) {
+      const double inside = (kDiscPixels / 2.0 - std::hypot(x - kMiddle, y - kMiddle)) / 2.0;
+      coverage.push_back(static_cast<std::uint8_t>(255.0 * std::clamp(inside, 0.0, 1.0)));
+    }
+  }
+  const auto texture = new_texture();
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexImage2D(GL_TEXTURE_2D,
+               0,
+               GL_R8,
+               kDiscPixels,
+               kDiscPixels,
+               0,
+               GL_RED,
+               GL_UNSIGNED_BYTE,
+               coverage.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  return texture;
+}
+
 /// Black on light, white on dark (Rec. 709 luma).
 Colour ink_on(const Colour& background) {
   const auto luma = 0.2126F * background[0] + 0.7152F * background[1] + 0.0722F * background[2];
@@ -103,6 +132,7 @@ ScreenPainter::ScreenPainter(const Colour& background)
       ink_program_{linked_program(kInkShader)},
       picture_window_{glGetUniformLocation(picture_program_, "window")},
       ink_window_{glGetUniformLocation(ink_program_, "window")},
+      ink_colour_{glGetUniformLocation(ink_program_, "ink")},
       full_coverage_{new_texture()} {
   captions_.reserve(kKeptCaptions);
   glGenVertexArrays(1, &layout_);
@@ -116,13 +146,11 @@ ScreenPainter::ScreenPainter(const Colour& background)
   glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, 4 * sizeof(float), after_place);
   glEnableVertexAttribArray(0);
   glEnableVertexAttribArray(1);
-  glUseProgram(ink_program_);
-  const auto ink = ink_on(background);
-  glUniform3fv(glGetUniformLocation(ink_program_, "ink"), 1, ink.data());
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   constexpr std::uint8_t kInk = 255;
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, 1, 1, 0, GL_RED, GL_UNSIGNED_BYTE, &kInk);
+  disc_coverage_ = disc_texture();
   warm_up();
 }
 
@@ -140,6 +168,7 @@ ScreenPainter::~ScreenPainter() {
   glDeleteBuffers(1, &vertices_);
   glDeleteVertexArrays(1, &layout_);
   glDeleteTextures(1, &full_coverage_);
+  glDeleteTextures(1, &disc_coverage_);
   glDeleteProgram(picture_program_);
   glDeleteProgram(ink_program_);
 }
@@ -155,6 +184,9 @@ void ScreenPainter::draw(const Screen& screen, SdlWindow::Size window) {
   }
   use(ink_program_, ink_window_, window);
   glEnable(GL_BLEND);
+  for (const auto& mark : screen.marks) draw_mark(mark, window);
+  const auto ink = ink_on(background_);
+  glUniform3fv(ink_colour_, 1, ink.data());
   if (screen.fixation) draw_fixation(window);
   for (const auto& caption : screen.captions) draw_caption(caption, window);
   if (screen.progress >= 0.0) draw_progress(std::min(screen.progress, 1.0), window);
@@ -290,6 +322,18 @@ void ScreenPainter::draw_fixation(SdlWindow::Size window) const {
   const auto y = window.height / 2;
   fill({x - half, y - thick / 2, 2 * half, thick}, full_coverage_);
   fill({x - thick / 2, y - half, thick, 2 * half}, full_coverage_);
+}
+
+void ScreenPainter::draw_mark(const Mark& mark, SdlWindow::Size window) const {
+  const bool is_disc = mark.shape == Mark::Shape::Disc;
+  const auto height = part_of(window.height, mark.height);
+  const auto width = is_disc ? height : part_of(window.width, mark.width);
+  glUniform3fv(ink_colour_, 1, mark.colour.data());
+  fill({part_of(window.width, mark.centre_x) - width / 2,
+        part_of(window.height, mark.centre_y) - height / 2,
+        width,
+        height},
+       is_disc ? disc_coverage_ : full_coverage_);
 }
 
 void ScreenPainter::draw_progress(double done, SdlWindow::Size window) const {

@@ -52,6 +52,7 @@ class ScreenPainter {
   void draw_picture(const Picture& picture, SdlWindow::Size window);
   void draw_caption(const Caption& caption, SdlWindow::Size window);
   void draw_fixation(SdlWindow::Size window) const;
+  void draw_mark(const Mark& mark, SdlWindow::Size window) const;
   void draw_progress(double done, SdlWindow::Size window) const;
   const SetCaption& set(const Caption& caption, SdlWindow::Size window);
   void upload(const Picture& picture);
@@ -66,7 +67,9 @@ class ScreenPainter {
   std::uint32_t layout_ = 0;
   int picture_window_ = -1;  ///< where the programs take the window's size
   int ink_window_ = -1;
+  int ink_colour_ = -1;              ///< where the program of ink takes its colour
   std::uint32_t full_coverage_ = 0;  ///< texture of one pixel: ink everywhere
+  std::uint32_t disc_coverage_ = 0;  ///< texture of a disc
   std::uint32_t picture_texture_ = 0;
   std::size_t texture_width_ = 0;
   std::size_t texture_height_ = 0;

@@ -18,6 +18,8 @@ std::optional<Key> key_of(SDL_Keycode code) {
     case SDLK_RETURN2:
     case SDLK_KP_ENTER:
       return Key::Enter;
+    case SDLK_LEFT:
+      return Key::Left;
     case SDLK_ESCAPE:
       return Key::Escape;
     default:

@@ -42,6 +42,7 @@ TEST(KeystrokeOf, KnowsTheEditingKeysAndBothEnterKeys) {
   EXPECT_EQ(keystroke_of(key_press(SDLK_RETURN), kNow)->key, Key::Enter);
   EXPECT_EQ(keystroke_of(key_press(SDLK_KP_ENTER), kNow)->key, Key::Enter);
   EXPECT_EQ(keystroke_of(key_press(SDLK_BACKSPACE), kNow)->key, Key::Backspace);
+  EXPECT_EQ(keystroke_of(key_press(SDLK_LEFT), kNow)->key, Key::Left);
   EXPECT_EQ(keystroke_of(key_press(SDLK_ESCAPE), kNow)->key, Key::Escape);
 }
 

@@ -67,9 +67,10 @@ class EnactmentTest : public made_media::MadeMedia {
     add("da", Phone::D, 2s);
     std::filesystem::create_directories(corpus.folder);
     write_wav(path("speech.wav"), sound);
-    made("corpus/talk.mkv",
-         made_media::numbered_frames("25", "4") + " -i '" + path("speech.wav").string() +
-             "' -c:v ffv1 -c:a pcm_f32le -shortest");
+    static_cast<void>(made("corpus/talk.mkv",
+                           made_media::numbered_frames("25", "4") + " -i '" +
+                               path("speech.wav").string() +
+                               "' -c:v ffv1 -c:a pcm_f32le -shortest"));
     corpus.recordings.push_back({.file = "talk.mkv",
                                  .sha256 = sha256_of_file(corpus.folder / "talk.mkv"),
                                  .talker = "kal",
