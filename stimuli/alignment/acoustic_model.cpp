@@ -100,6 +100,12 @@ UnitScores::UnitScores(std::size_t frames, std::span<const PhoneUnit> units) : f
   }
 }
 
+void UnitScores::complete_from(UnitScores others) {
+  for (std::size_t unit = 0; unit < columns_.size(); ++unit) {
+    if (!has(unit)) columns_[unit] = std::move(others.columns_[unit]);
+  }
+}
+
 std::filesystem::path AcousticModel::installed() {
   const char* const chosen = std::getenv("BIMODAL_ACOUSTICS");
   const std::filesystem::path folder{chosen != nullptr ? std::string_view{chosen} : kInstalled};

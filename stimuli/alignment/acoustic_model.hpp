@@ -57,6 +57,11 @@ class UnitScores {
     return column.scores[frame - column.first];
   }
 
+  /// Takes the columns of others, of the same frames and units, that are empty here.
+  void complete_from(UnitScores others);
+
+  [[nodiscard]] bool has(std::size_t unit) const { return !columns_[unit].scores.empty(); }
+
   [[nodiscard]] std::span<States> of(std::size_t unit) { return columns_[unit].scores; }
 
  private:

@@ -140,13 +140,17 @@ Alignment words_on(std::span<const PathStep> path,
 }
 
 /// Gives the alignment its fits. The phones are scored without their contexts, as the free sequence
-/// is, so that no fit is above 0.
+/// is, so that no fit is above 0. `scores` are those of the words' phones, in all frames.
 void judge(Alignment& alignment,
            std::span<const PathStep> path,
+           UnitScores scores,
            std::span<const Cepstra> cepstra,
            const AcousticModel& model) {
-  const auto units = context_free_units(model, path.front().frames, path.back().first_frame);
-  const auto scores = model.score(cepstra, units);
+  auto others = context_free_units(model, path.front().frames, path.back().first_frame);
+  for (std::size_t unit = 0; unit < others.size(); ++unit) {
+    if (scores.has(unit)) others[unit].end_frame = others[unit].first_frame;
+  }
+  scores.complete_from(model.score(cepstra, others));
   std::vector<PhoneNode> any_phones;
   for (const Phone phone : all_phones()) {
     if (modelled(phone) == phone) any_phones.push_back(context_free_node(phone));
@@ -205,7 +209,8 @@ Alignment Aligner::align(const Clip& sound, std::span<const SpokenWord> words) {
   const auto heard = search_sound(sound);
   const auto cepstra = decoder_->cepstra.make(heard.samples);
   const auto graph = graph_of(words);
-  const auto coarse = best_path(graph.nodes, model.score(cepstra, units_of(graph, model)), model);
+  auto scores = model.score(cepstra, units_of(graph, model));
+  const auto coarse = best_path(graph.nodes, scores, model);
   if (!coarse) throw std::logic_error{"a path through a long enough recording always exists"};
   const auto chain = chain_of(*coarse, graph, model);
   const auto path = best_path(chain.graph.nodes, model.score(cepstra, chain.units), model);
@@ -219,7 +224,7 @@ Alignment Aligner::align(const Clip& sound, std::span<const SpokenWord> words) {
   refuse_too_many_phones(sound, phones_in(made), words);
   correct_edges(made.utterance.phones, heard);
   make_room(made.utterance.phones, sound.duration());
-  judge(made, *path, cepstra, model);
+  judge(made, *path, std::move(scores), cepstra, model);
   remove_empty_pauses(made);
   return made;
 }

@@ -42,22 +42,37 @@ Origins step(Reached& reached,
   return origins;
 }
 
-/// The search's front, which moves on frame by frame.
-class Front {
- public:
-  Front(const PhoneGraph& graph, const UnitScores& scores, const AcousticModel& model)
-      : graph_{graph}, scores_{scores}, model_{model} {}
+/// The search's front: the nodes that may be on the best path at one frame.
+struct Front {
+  std::vector<Reached> reached;
+  std::size_t low = 0;   ///< nodes before this one are nowhere
+  std::size_t high = 1;  ///< and so are this one and all after it
+};
 
-  [[nodiscard]] std::vector<Reached> begin() const {
-    std::vector<Reached> reached(graph_.size(), kNowhere);
-    reached.front().front() = scores_.at(0, graph_.front().unit).front();
-    return reached;
+/// Moves a front on, frame by frame.
+class Search {
+ public:
+  /// Nodes whose log likelihood is that much below the best one's are given up.
+  Search(const PhoneGraph& graph, const UnitScores& scores, const AcousticModel& model, float beam)
+      : graph_{graph}, scores_{scores}, model_{model}, beam_{beam} {
+    for (std::size_t node = 0; node < graph.size(); ++node) {
+      for (const auto before : graph[node].before) reach_ = std::max(reach_, node - before);
+    }
+  }
+
+  [[nodiscard]] Front begin() const {
+    Front front{.reached = std::vector<Reached>(graph_.size(), kNowhere)};
+    front.reached.front().front() = scores_.at(0, graph_.front().unit).front();
+    return front;
   }
 
   /// From frame - 1 to frame. `origins` has an entry a node, or is empty if they are not wanted.
-  void advance(std::vector<Reached>& reached, std::size_t frame, std::span<Origins> origins) const {
+  void advance(Front& front, std::size_t frame, std::span<Origins> origins) const {
+    auto& reached = front.reached;
+    front.high = std::min(graph_.size(), front.high + reach_);
+    float best = kNever;
     // Backwards, so that what stands before a node is still as it was one frame ago.
-    for (std::size_t node = graph_.size(); node-- > 0;) {
+    for (std::size_t node = front.high; node-- > front.low;) {
       const auto& [phone, unit, before] = graph_[node];
       float entry = kNever;
       Origin origin = 0;
@@ -70,13 +85,27 @@ class Front {
       const auto found =
           step(reached[node], model_.transitions(phone), scores_.at(frame, unit), entry, origin);
       if (!origins.empty()) origins[node] = found;
+      best = std::max(best, std::ranges::max(reached[node]));
     }
+    give_up_below(front, best - beam_);
   }
 
  private:
+  static void give_up_below(Front& front, float limit) {
+    const auto hopeless = [&](std::size_t node) {
+      return !(std::ranges::max(front.reached[node]) > limit);
+    };
+    while (front.low + 1 < front.high && hopeless(front.low)) front.reached[front.low++] = kNowhere;
+    while (front.high > front.low + 1 && hopeless(front.high - 1)) {
+      front.reached[--front.high] = kNowhere;
+    }
+  }
+
   const PhoneGraph& graph_;
   const UnitScores& scores_;
   const AcousticModel& model_;
+  float beam_;
+  std::size_t reach_ = 0;  ///< how far at most a node stands behind one before it
 };
 
 /// Where the path is, going backwards in time.
@@ -100,23 +129,21 @@ struct Trace {
   }
 };
 
-}  // namespace
-
-std::optional<std::vector<PathStep>> best_path(const PhoneGraph& graph,
-                                               const UnitScores& scores,
-                                               const AcousticModel& model) {
+std::optional<std::vector<PathStep>> best_path_within(float beam,
+                                                      const PhoneGraph& graph,
+                                                      const UnitScores& scores,
+                                                      const AcousticModel& model) {
   // The front is kept at the beginning of every block only; going back, each block is done again
   // with its origins.
   constexpr std::size_t kBlock = 256;
-  if (graph.empty() || scores.frames() == 0) return std::nullopt;
-  const Front front{graph, scores, model};
-  std::vector<std::vector<Reached>> kept;
-  auto reached = front.begin();
+  const Search search{graph, scores, model, beam};
+  std::vector<Front> kept;
+  auto front = search.begin();
   for (std::size_t frame = 1; frame < scores.frames(); ++frame) {
-    if (frame % kBlock == 1) kept.push_back(reached);
-    front.advance(reached, frame, {});
+    if (frame % kBlock == 1) kept.push_back(front);
+    search.advance(front, frame, {});
   }
-  if (reached.back().back() == kNever) return std::nullopt;
+  if (front.reached.back().back() == kNever) return std::nullopt;
 
   Trace trace{.node = graph.size() - 1, .state = kStates - 1, .steps = {}};
   trace.steps.push_back({.node = trace.node});
@@ -128,7 +155,7 @@ std::optional<std::vector<PathStep>> best_path(const PhoneGraph& graph,
       return std::span{origins}.subspan((frame - first) * graph.size(), graph.size());
     };
     for (std::size_t frame = first; frame < end; ++frame) {
-      front.advance(kept[block], frame, of(frame));
+      search.advance(kept[block], frame, of(frame));
     }
     for (std::size_t frame = end; frame-- > first;) trace.go_back(graph, of(frame), frame);
     kept.pop_back();
@@ -136,6 +163,21 @@ std::optional<std::vector<PathStep>> best_path(const PhoneGraph& graph,
   ++trace.steps.back().frames;  // frame 0
   std::ranges::reverse(trace.steps);
   return trace.steps;
+}
+
+}  // namespace
+
+std::optional<std::vector<PathStep>> best_path(const PhoneGraph& graph,
+                                               const UnitScores& scores,
+                                               const AcousticModel& model) {
+  constexpr std::size_t kManyFrames = 3000;
+  constexpr float kBeam = 3000.0F;
+  constexpr float kEverything = std::numeric_limits<float>::max();
+  if (graph.empty() || scores.frames() == 0) return std::nullopt;
+  if (scores.frames() > kManyFrames) {
+    if (auto path = best_path_within(kBeam, graph, scores, model)) return path;
+  }
+  return best_path_within(kEverything, graph, scores, model);
 }
 
 double phone_likelihood(const PhoneNode& node,

@@ -26,9 +26,10 @@ struct PathStep {
   std::size_t frames = 0;  ///< at least kStates
 };
 
-/// The likeliest path through the graph that takes up all frames (Viterbi 1967), found without
-/// pruning; absent if there are fewer frames than the shortest path needs. Memory grows with the
-/// nodes times the square root of the frames.
+/// The likeliest path through the graph that takes up all frames (Viterbi 1967); absent if there
+/// are fewer frames than the shortest path needs. In more than 3000 frames, what has fallen behind
+/// the best by 3000 (natural logarithm, some ten seconds in the wrong place) is given up, unless
+/// nothing else comes to the end. Memory grows with the nodes times the square root of the frames.
 [[nodiscard]] std::optional<std::vector<PathStep>> best_path(const PhoneGraph& graph,
                                                              const UnitScores& scores,
                                                              const AcousticModel& model);

@@ -1,6 +1,7 @@
 #include "stimuli/alignment/phone_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -116,6 +117,36 @@ TEST_F(PhonePath, IsWholeWhateverTheNumberOfFrames) {
     }
     EXPECT_EQ(at, frames);
   }
+}
+
+TEST_F(PhonePath, IsTheSameInManyFramesAsPieceByPiece) {
+  // In 4000 frames paths are given up; each unit fits in a part of its own.
+  const auto graph = chain({Rest, AA, IY, Rest});
+  constexpr std::size_t kFrames = 4000;
+  auto scores = random_scores(kFrames, graph.size(), 9);
+  constexpr std::array<std::size_t, 5> kStarts{0, 1000, 2000, 3500, kFrames};
+  for (std::size_t unit = 0; unit < graph.size(); ++unit) {
+    for (std::size_t frame = kStarts[unit]; frame < kStarts[unit + 1]; ++frame) {
+      for (float& score : scores.of(unit)[frame]) score += 30.0F;
+    }
+  }
+  const auto path = best_path(graph, scores, model_).value();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    EXPECT_NEAR(static_cast<double>(path[i].first_frame), static_cast<double>(kStarts[i]), 2.0);
+  }
+}
+
+TEST_F(PhonePath, IsFoundInManyFramesEvenIfItSeemedHopeless) {
+  // The last rest fits nothing but must be passed; what is given up must be taken up again.
+  const auto graph = chain({Rest, AA, Rest});
+  constexpr std::size_t kFrames = 4000;
+  auto scores = random_scores(kFrames, graph.size(), 10);
+  for (const std::size_t unit : {1U, 2U}) {
+    for (auto& states : scores.of(unit)) states.fill(-2000.0F);
+  }
+  const auto path = best_path(graph, scores, model_).value();
+  EXPECT_EQ(path.size(), 3U);
+  EXPECT_EQ(path.back().first_frame + path.back().frames, kFrames);
 }
 
 TEST_F(PhonePath, DoesNotExistInTooFewFrames) {
