@@ -37,6 +37,8 @@ Decibels quiet_level(const Clip& sound) {
   std::vector<Decibels> levels;
   for (std::size_t at = 0; at + length <= sound.samples.size(); at += length) {
     const auto window = std::span{sound.samples}.subspan(at, length);
+    const bool is_a_room = std::ranges::any_of(window, [](float sample) { return sample != 0.0F; });
+    if (!is_a_room) continue;  // zeros are put there by programs
     levels.push_back(room_level({sound.rate, {window.begin(), window.end()}}));
   }
   if (levels.empty()) return room_level(sound);

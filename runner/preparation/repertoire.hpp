@@ -42,8 +42,9 @@ class Repertoire {
       : rate_{rate}, corpora_{corpora} {}
 
   /// A word as `talker` ("festival:kal", "corpus:NAME") says it; a corpus says it as it was
-  /// recorded, whatever `phones`; where its neighbours stand in its margins they are silenced. The reference stays valid as long as the repertoire. Throws Error
-  /// for a talker or word that cannot be had.
+  /// recorded, whatever `phones`; where its neighbours stand in its margins they are silenced. The
+  /// reference stays valid as long as the repertoire. Throws Error for a talker or word that cannot
+  /// be had.
   [[nodiscard]] const Performance& perform(const std::string& talker,
                                            const std::string& spelling,
                                            const Pronunciation& phones);

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "synth/face/head.hpp"
 #include "stimuli/picture/image.hpp"
+#include "synth/face/head.hpp"
 #include "synth/render/view.hpp"
 
 namespace bimodal::synth {

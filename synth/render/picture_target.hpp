@@ -2,8 +2,8 @@
 
 #include <epoxy/gl.h>
 
-#include "synth/render/edge_smoothing.hpp"
 #include "stimuli/picture/image.hpp"
+#include "synth/render/edge_smoothing.hpp"
 
 namespace bimodal::synth {
 

@@ -6,9 +6,9 @@
 
 #include <glm/mat3x3.hpp>
 
+#include "stimuli/picture/image.hpp"
 #include "synth/face/surface.hpp"
 #include "synth/render/egl_context.hpp"
-#include "stimuli/picture/image.hpp"
 #include "synth/render/view.hpp"
 
 namespace bimodal::synth {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "stimuli/base/error.hpp"
-#include "synth/voice/festival.hpp"
 #include "stimuli/timeline/festival_phones.hpp"
+#include "synth/voice/festival.hpp"
 #include "synth/voice/spoken_item.hpp"
 
 namespace bimodal::synth {
