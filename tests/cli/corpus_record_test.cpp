@@ -34,7 +34,9 @@ Clip reading(const std::vector<double>& amplitudes) {
       made.samples.push_back(static_cast<float>(0.0005 * random.normal() + buzz));
     }
   }
-  made.samples.resize(made.samples.size() + 24'000, 0.0F);
+  for (int i = 0; i < 24'000; ++i) {
+    made.samples.push_back(static_cast<float>(0.0005 * random.normal()));
+  }
   return made;
 }
 
@@ -87,7 +89,8 @@ TEST_F(CorpusRecord, RecordsAListAndTellsHowToGoOn) {
     EXPECT_GT(take.at("snr_db"), 40.0);
   }
   // A square wave of 0.1 has an RMS and a peak of -20 dB; the room is 46 dB below.
-  EXPECT_NEAR(takes[0].at("level_dbfs"), -20.0, 0.05);
+  // The speech is found in steps of 10 ms: one more at either end of 400 ms takes 0.21 dB away.
+  EXPECT_NEAR(takes[0].at("level_dbfs"), -20.0, 0.22);
   EXPECT_NEAR(takes[0].at("peak_dbfs"), -20.0, 0.3);
   EXPECT_EQ(bytes("anna/takes/zoo.txt"), "zoo\n");
   EXPECT_EQ(journal("room").size(), 1U);
