@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::string_view kInstalled = "/usr/share/pocketsphinx/model/en-us/en-us";
 constexpr std::size_t kMixture = GaussianCodebook::kStreams * GaussianCodebook::kDensities;
-constexpr float kNever = -std::numeric_limits<float>::infinity();
 
 void refuse_other_shapes(const std::filesystem::path& folder,
                          const ModelDefinition& definition,
@@ -82,6 +81,32 @@ std::array<std::uint16_t, kStates> senones_of(const ModelDefinition& definition,
   return made;
 }
 
+/// A unit to be scored, with the weights of its states' mixtures.
+struct WeightedUnit {
+  std::size_t column = 0;
+  PhoneUnit unit;
+  std::vector<float> weights;
+};
+
+/// Scores units of one phone, which share its Gaussians.
+void score_phone(const GaussianCodebook& codebook,
+                 std::span<const Cepstra> frames,
+                 std::span<const WeightedUnit> wanted,
+                 UnitScores& scores) {
+  for (std::size_t n = 0; n < frames.size(); ++n) {
+    std::optional<GaussianCodebook::Densities> densities;
+    for (const auto& [column, unit, weights] : wanted) {
+      if (n < unit.first_frame || n >= unit.end_frame) continue;
+      if (!densities) densities = codebook.at(frames[n]);
+      auto& score = scores.of(column)[n - unit.first_frame];
+      for (std::size_t state = 0; state < score.size(); ++state) {
+        score.at(state) =
+            log_mixture(*densities, std::span{weights}.subspan(state * kMixture, kMixture));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Phone modelled(Phone phone) {
@@ -89,8 +114,6 @@ Phone modelled(Phone phone) {
   if (phone == Phone::WH) return Phone::W;
   return phone;
 }
-
-const UnitScores::States UnitScores::kImpossible{kNever, kNever, kNever};
 
 UnitScores::UnitScores(std::size_t frames, std::span<const PhoneUnit> units) : frames_{frames} {
   for (const auto& unit : units) {
@@ -178,27 +201,12 @@ UnitScores AcousticModel::score(std::span<const Cepstra> frames,
                                 std::span<const PhoneUnit> units) const {
   UnitScores scores{frames.size(), units};
   for (const Phone phone : all_phones()) {
-    std::vector<std::size_t> wanted;
-    std::vector<std::vector<float>> mixtures;
+    std::vector<WeightedUnit> wanted;
     for (std::size_t i = 0; i < units.size(); ++i) {
-      if (units[i].phone != phone) continue;
-      wanted.push_back(i);
-      mixtures.push_back(weights(units[i]));
+      if (units[i].phone == phone) wanted.push_back({i, units[i], weights(units[i])});
     }
-    if (wanted.empty()) continue;
-    const auto& codebook = codebooks_.at(static_cast<std::size_t>(phone));
-    for (std::size_t n = 0; n < frames.size(); ++n) {
-      std::optional<GaussianCodebook::Densities> densities;
-      for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const auto& unit = units[wanted[i]];
-        if (n < unit.first_frame || n >= unit.end_frame) continue;
-        if (!densities) densities = codebook.at(frames[n]);
-        auto& score = scores.of(wanted[i])[n - unit.first_frame];
-        for (std::size_t state = 0; state < kStates; ++state) {
-          score.at(state) =
-              log_mixture(*densities, std::span{mixtures[i]}.subspan(state * kMixture, kMixture));
-        }
-      }
+    if (!wanted.empty()) {
+      score_phone(codebooks_.at(static_cast<std::size_t>(phone)), frames, wanted, scores);
     }
   }
   return scores;

@@ -65,7 +65,8 @@ class UnitScores {
   [[nodiscard]] std::span<States> of(std::size_t unit) { return columns_[unit].scores; }
 
  private:
-  static const States kImpossible;
+  static constexpr float kNo = -std::numeric_limits<float>::infinity();
+  static constexpr States kImpossible{kNo, kNo, kNo};
 
   struct Column {
     std::size_t first = 0;

@@ -7,7 +7,7 @@ namespace bimodal {
 namespace {
 
 struct Glyph {
-  char letter;
+  char letter = ' ';
   LetterRows rows;
 };
 

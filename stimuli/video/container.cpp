@@ -210,9 +210,10 @@ std::optional<Duration> Container::claimed_length() const {
       std::span{format_->streams, format_->nb_streams},
       [&](const auto* track) { return track != picture_ && track != sound_ && !is_cover(*track); });
   if (others) return std::nullopt;
-  const auto length = duration_of(format_->duration, AV_TIME_BASE_Q);
+  constexpr AVRational kMicrosecond{1, AV_TIME_BASE};
+  const auto length = duration_of(format_->duration, kMicrosecond);
   // Of all formats, Matroska's length is that from the zero of its clock.
-  const auto start = duration_of(format_->start_time, AV_TIME_BASE_Q);
+  const auto start = duration_of(format_->start_time, kMicrosecond);
   const bool from_zero = std::string_view{format_->iformat->name}.starts_with("matroska");
   if (!length || !start || !from_zero) return length;
   return *length - std::max(*start, Duration{});
