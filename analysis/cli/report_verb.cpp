@@ -1,5 +1,4 @@
 #include <chrono>
-#include <fstream>
 #include <memory>
 #include <system_error>
 
@@ -12,6 +11,7 @@
 #include "analysis/report/figure_files.hpp"
 #include "analysis/report/page.hpp"
 #include "analysis/report/tables.hpp"
+#include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/whole_number.hpp"
 
@@ -54,17 +54,6 @@ std::string selection_in_words(const Selection& selection) {
 std::string now_utc() {
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", now);
-}
-
-void write_file(const std::filesystem::path& file, std::string_view content) {
-  std::ofstream stream{file, std::ios::binary};
-  stream << content << std::flush;
-  if (!stream) {
-    throw Error{
-        fmt::format("writing the report: cannot write '{}'; check the folder's permissions "
-                    "and the space left",
-                    file.string())};
-  }
 }
 
 std::vector<Attachment> read_attachments(const ReportRequest& request) {

@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::size_t kWordsNamed = 5;  ///< in a message about many
 
-std::string corpus_name(std::string_view talker) {
-  return std::string{talker.substr(kCorpusPrefix.size())};
-}
-
 /// The folders in which a corpus is looked for, in this order.
 std::vector<std::filesystem::path> places_of(const std::string& name,
                                              const std::filesystem::path& protocol_folder) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "stimuli/audio/time_scale.hpp"
 #include "stimuli/base/json_text.hpp"
 
 namespace bimodal::protocols {
@@ -17,8 +18,6 @@ using Json = nlohmann::json;
 using namespace std::chrono_literals;
 
 constexpr std::size_t kMostConditions = 100;
-constexpr double kSlowest = 0.25;
-constexpr double kFastest = 4.0;
 constexpr std::array<std::string_view, 2> kVoices{"festival:kal", "festival:slt"};
 constexpr std::array<std::string_view, 1> kFaces{"face"};
 constexpr std::array<std::string_view, 2> kAfterGate{"blank", "freeze"};
@@ -31,7 +30,7 @@ void take(T& target, std::optional<T> read) {
 /// Letters, digits and -_. after the prefix.
 bool names_corpus(std::string_view talker) {
   if (!is_corpus(talker)) return false;
-  const auto name = talker.substr(kCorpusPrefix.size());
+  const auto name = corpus_name(talker);
   const auto allowed = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.';
@@ -219,10 +218,6 @@ WrittenCondition read_condition(const Json& value, std::string pointer, Findings
 }
 
 }  // namespace
-
-bool is_corpus(std::string_view talker) {
-  return talker.starts_with(kCorpusPrefix);
-}
 
 std::vector<WrittenCondition> read_conditions(ObjectReader& parent, Findings& findings) {
   std::vector<WrittenCondition> conditions;

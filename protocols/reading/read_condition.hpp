@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "protocols/model/protocol.hpp"
+#include "protocols/model/talker.hpp"
 #include "stimuli/base/findings.hpp"
 #include "stimuli/base/object_reader.hpp"
 
@@ -18,11 +19,6 @@ struct WrittenCondition {
   std::string visual_otherwise;
   std::string timing_otherwise;
 };
-
-/// The prefix of a talker that is a corpus: "corpus:NAME".
-inline constexpr std::string_view kCorpusPrefix = "corpus:";
-
-[[nodiscard]] bool is_corpus(std::string_view talker);
 
 /// Reads the key "conditions" and notes every mistake.
 [[nodiscard]] std::vector<WrittenCondition> read_conditions(ObjectReader& parent,

@@ -71,7 +71,7 @@ class SessionLoop {
       if (parts_.interrupted()) return false;
       present(confirming ? question : screen);
       for (const auto& stroke : booth_.keyboard.poll()) {
-        const bool stop = stroke.key == Key::Escape || stroke.key == Key::WindowClosed;
+        const bool stop = asks_to_stop(stroke);
         if (stop && confirming) return false;
         if (stroke.key == Key::Enter && !confirming) return true;
         if (stop || stroke.key == Key::Enter) confirming = stop;
@@ -201,17 +201,14 @@ class SessionLoop {
 
   /// Where nothing else is typed: whether Escape or the closed window was meant.
   bool stop_is_meant() {
-    const auto asks = [](const Keystroke& stroke) {
-      return stroke.key == Key::Escape || stroke.key == Key::WindowClosed;
-    };
-    if (std::ranges::none_of(booth_.keyboard.poll(), asks)) return false;
+    if (std::ranges::none_of(booth_.keyboard.poll(), asks_to_stop)) return false;
     Screen question;
     question.captions = {{.text = kStopQuestion, .centre_y = 0.45, .size = 0.035}};
     while (true) {
       if (parts_.interrupted()) return true;
       present(question);
       for (const auto& stroke : booth_.keyboard.poll()) {
-        if (asks(stroke)) return true;
+        if (asks_to_stop(stroke)) return true;
         if (stroke.key == Key::Enter) return false;
       }
     }

@@ -65,16 +65,6 @@ WordList words_named(const std::string& named) {
   return list;
 }
 
-std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string{text};
-  std::string quoted{"\""};
-  for (const char letter : text) {
-    quoted += letter;
-    if (letter == '"') quoted += '"';
-  }
-  return quoted + '"';
-}
-
 Progress progress_on_terminal() {
   if (isatty(STDERR_FILENO) == 0) return {};
   auto last = std::make_shared<std::pair<std::string, int>>("", -1);

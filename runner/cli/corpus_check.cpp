@@ -7,6 +7,7 @@
 
 #include "runner/cli/corpus_verbs.hpp"
 #include "stimuli/base/counted.hpp"
+#include "stimuli/base/csv.hpp"
 #include "stimuli/corpus/check_corpus.hpp"
 
 namespace bimodal::runner {

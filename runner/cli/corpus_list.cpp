@@ -6,6 +6,7 @@
 
 #include "runner/cli/corpus_verbs.hpp"
 #include "stimuli/base/counted.hpp"
+#include "stimuli/base/csv.hpp"
 #include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/corpus/word_list_of.hpp"

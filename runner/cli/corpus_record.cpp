@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,6 +10,7 @@
 #include <sys/stat.h>
 
 #include "runner/cli/corpus_verbs.hpp"
+#include "runner/cli/interrupt.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/recording_loop.hpp"
 #include "runner/cli/session_setup.hpp"
@@ -60,16 +59,6 @@ struct Devices {
   std::unique_ptr<Keyboard> keyboard;
   std::unique_ptr<AudioInput> input;
 };
-
-std::atomic<bool> interrupt_asked = false;
-
-void stop_at_interrupt() {
-  struct sigaction action {};
-
-  action.sa_handler = [](int) { interrupt_asked = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  ::sigaction(SIGINT, &action, nullptr);
-}
 
 bool is_simulated_input(const RecordOptions& options) {
   return options.input.starts_with(kSimulated);
@@ -245,7 +234,7 @@ ExitCode record(const RecordOptions& options) {
                                      .rules = {.automatic = options.automatic},
                                      .simulated = simulated,
                                      .answers_itself = options.answers == "simulated",
-                                     .interrupted = [] { return interrupt_asked.load(); },
+                                     .interrupted = interrupt_asked,
                                      .announce = say},
                                     std::move(slots));
   say(fmt::format("{}: {} of {} recorded, in {}/takes",

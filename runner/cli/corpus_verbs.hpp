@@ -27,9 +27,6 @@ void add_corpus_accept(CLI::App& corpus, Verb& chosen);
 /// Throws Error, with all mistakes, if it cannot be used.
 [[nodiscard]] WordList words_named(const std::string& named);
 
-/// A field of a CSV table, quoted where it must be (RFC 4180).
-[[nodiscard]] std::string csv_field(std::string_view text);
-
 /// Shows on standard error how far a long work is, at most once in a tenth of its way, and nothing
 /// unless that is a terminal.
 [[nodiscard]] Progress progress_on_terminal();

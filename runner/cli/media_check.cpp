@@ -19,7 +19,6 @@ namespace bimodal::runner {
 namespace {
 
 using protocols::Condition;
-using protocols::kCorpusPrefix;
 
 /// Containers round times to milliseconds, and the last frame's length may be a guess.
 constexpr Duration kForgiven = std::chrono::milliseconds{50};
@@ -52,7 +51,7 @@ class MediaCheck {
 
   void check_talker(const std::string& talker, Need need) {
     if (!protocols::is_corpus(talker)) return;
-    const auto& corpus = read_.corpora.at(talker.substr(kCorpusPrefix.size()));
+    const auto& corpus = read_.corpora.at(protocols::corpus_name(talker));
     for (const auto& item : needed(corpus)) check_item(corpus, *item, need);
   }
 
@@ -121,8 +120,7 @@ class MediaCheck {
       const auto look = decide_look(condition, window, read_.corpora);
       double width = static_cast<double>(look.height) * 8.0 / 9.0;
       if (protocols::is_corpus(*condition.visual_talker)) {
-        const auto& corpus =
-            read_.corpora.at(condition.visual_talker->substr(kCorpusPrefix.size()));
+        const auto& corpus = read_.corpora.at(protocols::corpus_name(*condition.visual_talker));
         width = 0.0;
         for (const auto& item : needed(corpus)) {
           const auto* const media = examined(corpus, item->recording);

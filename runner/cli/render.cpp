@@ -11,6 +11,7 @@
 #include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/picture/drawing.hpp"
 #include "stimuli/words/dictionary.hpp"
 #include "synth/face/head.hpp"
 #include "synth/render/head_renderer.hpp"
@@ -71,18 +72,12 @@ synth::View view_of(const RenderOptions& options) {
   return view;
 }
 
-/// Pictures side by side.
+/// Pictures of one size side by side.
 Image beside(const std::vector<Image>& pictures) {
-  Image strip{.height = pictures.front().height};
-  for (const auto& picture : pictures) strip.width += picture.width;
-  strip.pixels.reserve(strip.width * strip.height * 4);
-  for (std::size_t row = 0; row < strip.height; ++row) {
-    for (const auto& picture : pictures) {
-      const auto first =
-          picture.pixels.begin() + static_cast<std::ptrdiff_t>(row * picture.width * 4);
-      strip.pixels.insert(
-          strip.pixels.end(), first, first + static_cast<std::ptrdiff_t>(picture.width * 4));
-    }
+  const auto width = pictures.front().width;
+  auto strip = blank_image(width * pictures.size(), pictures.front().height, {});
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    paste(strip, {static_cast<std::int64_t>(i * width), 0}, pictures[i]);
   }
   return strip;
 }

@@ -1,5 +1,3 @@
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -7,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "runner/booth/session_loop.hpp"
+#include "runner/cli/interrupt.hpp"
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
@@ -116,17 +115,6 @@ PreparationQueue::Prepare make_prepare(const protocols::ReadProtocol& read,
   };
 }
 
-/// Ctrl-C: the first asks the session to stop, a second ends the program as usual.
-std::atomic<bool> interrupt_asked = false;
-
-void stop_at_interrupt() {
-  struct sigaction action {};
-
-  action.sa_handler = [](int) { interrupt_asked = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  ::sigaction(SIGINT, &action, nullptr);
-}
-
 void report_outcome(const SessionOutcome& outcome,
                     const std::vector<protocols::PlannedTrial>& plan,
                     const std::string& data) {
@@ -214,12 +202,11 @@ ExitCode run(const RunOptions& options) {
        .store = writer,
        .begin = begin,
        .answer = simulated ? simulated_answers(protocol, key, protocol.seed) : Answers{},
-       .interrupted = [] { return interrupt_asked.load(); },
-       .announce =
-           [](std::string_view what) {
-             fmt::print("{}\n", what);
-             std::fflush(stdout);
-           }});
+       .interrupted = interrupt_asked,
+       .announce = [](std::string_view what) {
+         fmt::print("{}\n", what);
+         std::fflush(stdout);
+       }});
   if (outcome.session) {
     store->end(*outcome.session, outcome.complete ? "complete" : "stopped", utc_now());
   }

@@ -118,7 +118,7 @@ std::string phones_of(const protocols::ReadProtocol& read,
                       const Word& word) {
   const auto& talker = condition.timing_talker;
   if (protocols::is_corpus(talker)) {
-    const auto corpus = read.corpora.find(talker.substr(protocols::kCorpusPrefix.size()));
+    const auto corpus = read.corpora.find(protocols::corpus_name(talker));
     const auto* const item =
         corpus == read.corpora.end() ? nullptr : find_item(corpus->second, word.spelling);
     if (item != nullptr) return spell(pronunciation_of(*item));

@@ -12,6 +12,7 @@
 #include "runner/cli/protocol_file.hpp"
 #include "runner/preparation/trial_preparer.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/picture/drawing.hpp"
 #include "stimuli/picture/image.hpp"
 #include "stimuli/picture/resize.hpp"
 
@@ -64,39 +65,25 @@ std::vector<std::size_t> find_conditions(const protocols::ReadProtocol& read,
   return found;
 }
 
-/// A picture of `width` x `height` with `image` in its middle, cut or surrounded as need be.
-Image in_cell(const Image& image, std::size_t width, std::size_t height, std::uint32_t ground) {
-  Image cell{.width = width, .height = height, .pixels = {}};
-  cell.pixels.resize(width * height * 4, 255);
-  for (std::size_t i = 0; i < width * height; ++i) {
-    cell.pixels[4 * i] = static_cast<std::uint8_t>(ground >> 16U);
-    cell.pixels[4 * i + 1] = static_cast<std::uint8_t>(ground >> 8U);
-    cell.pixels[4 * i + 2] = static_cast<std::uint8_t>(ground);
-  }
-  const auto wide = std::min(width, image.width);
-  const auto high = std::min(height, image.height);
-  for (std::size_t y = 0; y < high; ++y) {
-    const auto* const from =
-        &image.pixels[((y + (image.height - high) / 2) * image.width + (image.width - wide) / 2) *
-                      4];
-    auto* const to = &cell.pixels[((y + (height - high) / 2) * width + (width - wide) / 2) * 4];
-    std::copy(from, from + wide * 4, to);
-  }
-  return cell;
+Colour colour_of(std::uint32_t rgb) {
+  return {static_cast<std::uint8_t>(rgb >> 16U),
+          static_cast<std::uint8_t>(rgb >> 8U),
+          static_cast<std::uint8_t>(rgb)};
 }
 
-void append_row(Image& sheet, const std::vector<Image>& cells) {
-  std::size_t width = 0;
-  for (const auto& cell : cells) width += cell.width;
-  sheet.width = std::max(sheet.width, width);
-  for (std::size_t y = 0; y < cells.front().height; ++y) {
-    for (const auto& cell : cells) {
-      const auto from = cell.pixels.begin() + static_cast<std::ptrdiff_t>(y * cell.width * 4);
-      sheet.pixels.insert(
-          sheet.pixels.end(), from, from + static_cast<std::ptrdiff_t>(cell.width * 4));
-    }
-  }
-  sheet.height += cells.front().height;
+constexpr std::int64_t kTextScale = 2;
+constexpr std::size_t kCaptionHeight = 24;  ///< pixels below each picture
+constexpr Colour kInk{235, 235, 235};
+
+/// A picture with `image` in its middle, cut or surrounded as need be, and a line of text below.
+Image make_cell(const Image* image, std::size_t width, std::size_t height, Colour ground) {
+  auto cell = blank_image(width, height, ground);
+  if (image == nullptr) return cell;
+  const auto offset = [](std::size_t room, std::size_t size) {
+    return (static_cast<std::int64_t>(room) - static_cast<std::int64_t>(size)) / 2;
+  };
+  paste(cell, {offset(width, image->width), offset(height, image->height)}, *image);
+  return cell;
 }
 
 /// The frame of a film that is shown at an instant of the recording.
@@ -134,46 +121,69 @@ class StripMaker {
                film.pictures.size(),
                film.picture_of_frame.size(),
                rate.count());
-    std::vector<Image> cells;
+    Row row{.condition = condition.name, .cells = {}, .captions = {}};
     for (const auto& timed : enactment.seen.phones) {
       const auto centre = timed.start + timed.duration / 2;
       const auto number = film.picture_of_frame[frame_shown_at(layout, rate, centre)];
       const auto source = number != Film::kBlank && !film.source_frame_of_picture.empty()
                               ? fmt::format("  frame {}", film.source_frame_of_picture[number])
                               : std::string{};
-      fmt::print("  {:<5} {:>7.1f} ms{}\n",
-                 symbol(timed.phone),
-                 std::chrono::duration<double, std::milli>{centre}.count(),
-                 source);
-      cells.push_back(cell_of(film, number));
+      const auto ms = std::chrono::duration<double, std::milli>{centre}.count();
+      fmt::print("  {:<5} {:>7.1f} ms{}\n", symbol(timed.phone), ms, source);
+      row.cells.push_back(cell_of(film, number));
+      row.captions.push_back(fmt::format("{} {:.0f} ms{}", symbol(timed.phone), ms, source));
     }
-    append_row(sheet_, cells);
+    rows_.push_back(std::move(row));
   }
 
   void write() const {
     if (options_.output.empty()) return;
-    Image sheet = sheet_;
-    sheet.pixels.resize(sheet.width * sheet.height * 4, 255);
+    std::size_t columns = 0;
+    for (const auto& row : rows_) columns = std::max(columns, row.cells.size());
+    const auto line = cell_height() + kCaptionHeight;
+    auto sheet = blank_image(columns * cell_width(), rows_.size() * line, {24, 24, 24});
+    for (std::size_t y = 0; y < rows_.size(); ++y) {
+      const auto top = static_cast<std::int64_t>(y * line);
+      for (std::size_t x = 0; x < rows_[y].cells.size(); ++x) {
+        const auto left = static_cast<std::int64_t>(x * cell_width());
+        paste(sheet, {left, top}, rows_[y].cells[x]);
+        draw_text(sheet,
+                  {left + 4, top + static_cast<std::int64_t>(cell_height()) + 4},
+                  rows_[y].captions[x],
+                  kInk,
+                  kTextScale);
+      }
+      draw_text(sheet, {4, top + 4}, rows_[y].condition, kInk, kTextScale);
+    }
     write_png(sheet, options_.output);
     fmt::print("{}: a row a condition, a picture at the centre of each phone\n", options_.output);
   }
 
  private:
+  struct Row {
+    std::string condition;
+    std::vector<Image> cells;
+    std::vector<std::string> captions;
+  };
+
+  [[nodiscard]] std::size_t cell_height() const {
+    return static_cast<std::size_t>(options_.height);
+  }
+
+  [[nodiscard]] std::size_t cell_width() const { return cell_height() * 8 / 9; }
+
   [[nodiscard]] Image cell_of(const Film& film, std::size_t number) const {
-    const auto height = static_cast<std::size_t>(options_.height);
-    const auto width = height * 8 / 9;
-    const auto ground = read_.protocol.window.background;
-    if (number == Film::kBlank) return in_cell({}, width, height, ground);
-    const auto& picture = *film.pictures[number];
+    const auto& window = read_.protocol.window;
+    const auto ground = colour_of(window.background);
+    if (number == Film::kBlank) return make_cell(nullptr, cell_width(), cell_height(), ground);
     // All at the scale of the window, so that sizes can be compared.
-    const double scale =
-        static_cast<double>(height) / static_cast<double>(read_.protocol.window.face_height);
-    const auto scaled = [scale](std::size_t pixels) {
-      return std::max<std::size_t>(1,
-                                   static_cast<std::size_t>(static_cast<double>(pixels) * scale));
+    const auto scaled = [&](std::size_t pixels) {
+      return std::max<std::size_t>(
+          1, pixels * cell_height() / static_cast<std::size_t>(window.face_height));
     };
-    return in_cell(
-        resized(picture, scaled(picture.width), scaled(picture.height)), width, height, ground);
+    const auto& picture = *film.pictures[number];
+    const auto small = resized(picture, scaled(picture.width), scaled(picture.height));
+    return make_cell(&small, cell_width(), cell_height(), ground);
   }
 
   void write_frames(const std::string& condition, const Film& film) const {
@@ -190,7 +200,7 @@ class StripMaker {
   const StripOptions& options_;
   Repertoire repertoire_;
   FilmStudio studio_;
-  Image sheet_;
+  std::vector<Row> rows_;
 };
 
 ExitCode strip(const StripOptions& options) {

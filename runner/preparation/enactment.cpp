@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "protocols/model/talker.hpp"
 #include "stimuli/audio/release.hpp"
 #include "stimuli/audio/time_scale.hpp"
 #include "stimuli/base/error.hpp"
@@ -48,7 +49,7 @@ std::shared_ptr<const Clip> borrowed(const Clip& sound) {
 
 /// Who times what is seen.
 const std::string& talker_seen(const protocols::Condition& condition) {
-  const bool natural = condition.visual_talker && condition.visual_talker->starts_with("corpus:");
+  const bool natural = condition.visual_talker && protocols::is_corpus(*condition.visual_talker);
   return natural ? *condition.visual_talker : condition.timing_talker;
 }
 
@@ -137,7 +138,7 @@ Enactment enact(const protocols::Condition& condition, const Word& word, Reperto
   Enactment enactment;
   bring_together(heard, seen, enactment);
   if (heard != nullptr) enactment.sound_source = heard->source;
-  const bool natural = condition.visual_talker && condition.visual_talker->starts_with("corpus:");
+  const bool natural = condition.visual_talker && protocols::is_corpus(*condition.visual_talker);
   if (natural) enactment.picture_source = seen.source;
   change_manner(condition.manner, enactment);
   if (condition.manner.gate) {

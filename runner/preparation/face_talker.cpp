@@ -8,9 +8,9 @@ namespace bimodal::runner {
 namespace {
 
 synth::Backdrop plain(std::uint32_t background) {
-  const synth::Colour colour{static_cast<std::uint8_t>((background >> 16U) & 0xffU),
-                             static_cast<std::uint8_t>((background >> 8U) & 0xffU),
-                             static_cast<std::uint8_t>(background & 0xffU)};
+  const Colour colour{static_cast<std::uint8_t>((background >> 16U) & 0xffU),
+                      static_cast<std::uint8_t>((background >> 8U) & 0xffU),
+                      static_cast<std::uint8_t>(background & 0xffU)};
   return {.centre = colour, .edge = colour};
 }
 

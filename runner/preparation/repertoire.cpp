@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "protocols/model/talker.hpp"
 #include "stimuli/audio/noise.hpp"
 #include "stimuli/audio/resample.hpp"
 #include "stimuli/base/error.hpp"
@@ -17,7 +18,6 @@ namespace bimodal::runner {
 namespace {
 
 constexpr std::string_view kFestival = "festival:";
-constexpr std::string_view kCorpus = "corpus:";
 
 /// The very length: the sound of a stretch is rounded to samples, and an utterance ends with it.
 void end_with(Utterance& utterance, Duration end) {
@@ -95,8 +95,8 @@ const Performance& Repertoire::perform(const std::string& talker,
   if (kept) return *kept;
   if (talker.starts_with(kFestival)) {
     kept = std::make_unique<Performance>(speak(talker, spelling, phones));
-  } else if (talker.starts_with(kCorpus)) {
-    kept = std::make_unique<Performance>(play(talker.substr(kCorpus.size()), spelling));
+  } else if (protocols::is_corpus(talker)) {
+    kept = std::make_unique<Performance>(play(protocols::corpus_name(talker), spelling));
   } else {
     throw Error{fmt::format(
         "the talker '{}' is not known; use 'festival:kal', 'festival:slt' or 'corpus:NAME'",

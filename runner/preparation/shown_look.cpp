@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "protocols/model/talker.hpp"
 #include "runner/preparation/face_talker.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/picture/resize.hpp"
@@ -16,8 +17,6 @@
 namespace bimodal::runner {
 
 namespace {
-
-constexpr std::string_view kCorpus = "corpus:";
 
 /// The mean colour of squares in the upper corners, a twelfth of the picture's height wide.
 std::uint32_t corner_colour(const Image& image) {
@@ -111,13 +110,13 @@ std::size_t pixels(double number) {
 }  // namespace
 
 PictureNature nature_of(const std::string& talker, const std::map<std::string, Corpus>& corpora) {
-  if (!talker.starts_with(kCorpus)) {
+  if (!protocols::is_corpus(talker)) {
     return {.frame_rate_hz = 0.0,
             .lines = 0,
             .eye_distance = FaceTalker::kEyeDistance,
             .background = std::nullopt};
   }
-  const auto found = corpora.find(talker.substr(kCorpus.size()));
+  const auto found = corpora.find(protocols::corpus_name(talker));
   if (found == corpora.end()) throw Error{fmt::format("there is no '{}'", talker)};
   return nature_of_corpus(found->second);
 }

@@ -16,6 +16,11 @@ struct Keystroke {
   std::string_view source;  ///< "poll": noticed when polled; "simulated"
 };
 
+/// Whether somebody wants the session to end.
+[[nodiscard]] inline bool asks_to_stop(const Keystroke& stroke) {
+  return stroke.key == Key::Escape || stroke.key == Key::WindowClosed;
+}
+
 /// "Backspace", "Enter" ..., or the text: how a keystroke is stored.
 [[nodiscard]] std::string label(const Keystroke& stroke);
 

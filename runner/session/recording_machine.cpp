@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "runner/session/match.hpp"
+
 namespace bimodal::runner {
 
 namespace {
@@ -13,18 +15,6 @@ using namespace std::chrono_literals;
 /// Window systems repeat a held key after 0.5 to 0.7 s, then some 30 times a second.
 constexpr Duration kBeforeRepeats = 800ms;
 constexpr Duration kBetweenRepeats = 100ms;
-
-template <typename... Handlers>
-struct Match : Handlers... {
-  using Handlers::operator()...;
-};
-
-template <typename... Handlers>
-Match(Handlers...) -> Match<Handlers...>;  // needed by clang 14, and so by clang-tidy 14
-
-bool asks_to_stop(const Keystroke& stroke) {
-  return stroke.key == Key::Escape || stroke.key == Key::WindowClosed;
-}
 
 bool is_letter(const Keystroke& stroke, char lower, char upper) {
   return stroke.key == Key::Text && stroke.text.size() == 1 &&

@@ -1,22 +1,8 @@
 #include "runner/session/trial_machine.hpp"
 
+#include "runner/session/match.hpp"
+
 namespace bimodal::runner {
-
-namespace {
-
-template <typename... Handlers>
-struct Match : Handlers... {
-  using Handlers::operator()...;
-};
-
-template <typename... Handlers>
-Match(Handlers...) -> Match<Handlers...>;  // needed by clang 14, and so by clang-tidy 14
-
-bool asks_to_stop(const Keystroke& stroke) {
-  return stroke.key == Key::Escape || stroke.key == Key::WindowClosed;
-}
-
-}  // namespace
 
 std::vector<TrialCommand> TrialMachine::on(const TrialEvent& event) {
   return std::visit(Match{[this](const FixationShown& shown) -> std::vector<TrialCommand> {

@@ -76,6 +76,18 @@ class Reader {
     return values;
   }
 
+  /// Floats that are preceded by their number, which the dimensions demand too.
+  std::vector<float> counted_floats(std::size_t demanded) {
+    const auto total = count();
+    if (total != demanded) {
+      fail(
+          fmt::format("it says that it holds {} numbers, which is not the product of its "
+                      "dimensions",
+                      total));
+    }
+    return floats(total);
+  }
+
   /// Up to and with `end`.
   void skip_past(std::string_view end) {
     const auto found = content_.find(end, at_);
@@ -126,14 +138,8 @@ GaussianTable read_gaussians(const std::filesystem::path& file) {
   for (std::size_t i = 1; i < read.streams; ++i) {
     if (reader.count() != read.dimensions) reader.fail("its streams are of different length");
   }
-  const auto total = reader.count();
-  if (total != read.codebooks * read.streams * read.densities * read.dimensions) {
-    reader.fail(
-        fmt::format("it says that it holds {} numbers, which is not the product of its "
-                    "dimensions",
-                    total));
-  }
-  read.values = reader.floats(total);
+  read.values =
+      reader.counted_floats(read.codebooks * read.streams * read.densities * read.dimensions);
   return read;
 }
 
@@ -167,14 +173,7 @@ TransitionTable read_transitions(const std::filesystem::path& file) {
   read.models = reader.count();
   read.states = reader.count();
   if (reader.count() != read.states + 1) reader.fail("its models do not end in one state");
-  const auto total = reader.count();
-  if (total != read.models * read.states * (read.states + 1)) {
-    reader.fail(
-        fmt::format("it says that it holds {} numbers, which is not the product of its "
-                    "dimensions",
-                    total));
-  }
-  read.values = reader.floats(total);
+  read.values = reader.counted_floats(read.models * read.states * (read.states + 1));
   return read;
 }
 

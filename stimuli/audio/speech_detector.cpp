@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace bimodal {
 
@@ -33,25 +32,11 @@ Duration frames(std::size_t count) {
 
 }  // namespace
 
-RumbleFilter::RumbleFilter(Hertz rate) {
-  const double k = std::tan(std::numbers::pi * kEdge.count() / rate.count());
-  scale_ = 1.0 / (1.0 + std::numbers::sqrt2 * k + k * k);
-  first_back_ = 2.0 * (k * k - 1.0) * scale_;
-  second_back_ = (1.0 - std::numbers::sqrt2 * k + k * k) * scale_;
-}
-
 double RumbleFilter::operator()(float sample) {
   const auto in = static_cast<double>(sample);
-  if (!primed_) {
-    // As if the first sample had been there for ever.
-    first_ = -scale_ * in;
-    second_ = scale_ * in;
-    primed_ = true;
-  }
-  const double out = scale_ * in + first_;
-  first_ = -2.0 * scale_ * in - first_back_ * out + second_;
-  second_ = scale_ * in - second_back_ * out;
-  return out;
+  if (!primed_) filter_.settle(in);
+  primed_ = true;
+  return filter_(in);
 }
 
 Decibels room_level(const Clip& room) {

@@ -5,28 +5,25 @@
 #include <span>
 #include <vector>
 
+#include "stimuli/audio/biquad.hpp"
 #include "stimuli/audio/clip.hpp"
 #include "stimuli/timeline/utterance.hpp"
 
 namespace bimodal {
 
-/// A high-pass of second order (Butterworth, by the bilinear transform with the edge prewarped):
-/// keeps what a table, a fan or an offset adds below the voice out of levels.
+/// A high-pass of second order that keeps what a table, a fan or an offset adds below the voice out
+/// of levels.
 class RumbleFilter {
  public:
   static constexpr Hertz kEdge{80};
 
-  explicit RumbleFilter(Hertz rate);
+  explicit RumbleFilter(Hertz rate) : filter_{Biquad::high_pass(kEdge, rate)} {}
 
   /// The next sample of the filtered sound; a constant offset is gone from the first sample on.
   double operator()(float sample);
 
  private:
-  double scale_ = 0.0;        ///< b0 = b2; b1 is -2 b0
-  double first_back_ = 0.0;   ///< a1
-  double second_back_ = 0.0;  ///< a2
-  double first_ = 0.0;
-  double second_ = 0.0;
+  Biquad filter_;
   bool primed_ = false;
 };
 

@@ -55,6 +55,9 @@ struct Corpus {
   std::vector<CorpusItem> items;
 };
 
+/// The format of the manifests that this program reads and writes: their key "bimodal_corpus".
+inline constexpr int kManifestFormat = 1;
+
 /// The name of the manifest in a corpus's folder.
 inline constexpr std::string_view kManifestName = "corpus.json";
 

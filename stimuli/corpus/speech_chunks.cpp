@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "stimuli/audio/biquad.hpp"
 
 namespace bimodal {
 
@@ -12,39 +13,6 @@ namespace {
 constexpr double kLowest = -120.0;
 constexpr double kFloorPart = 0.1;
 constexpr Duration kFloorReach = std::chrono::seconds{5};
-
-/// A filter of second order, transposed direct form II.
-class Biquad {
- public:
-  /// Butterworth, by the bilinear transform with the edge prewarped.
-  static Biquad low_pass(double edge, double rate) { return Biquad{edge, rate, false}; }
-
-  static Biquad high_pass(double edge, double rate) { return Biquad{edge, rate, true}; }
-
-  double operator()(double in) {
-    const double out = b0_ * in + first_;
-    first_ = b1_ * in - a1_ * out + second_;
-    second_ = b0_ * in - a2_ * out;
-    return out;
-  }
-
- private:
-  Biquad(double edge, double rate, bool high) {
-    const double k = std::tan(std::numbers::pi * edge / rate);
-    const double norm = 1.0 / (1.0 + std::numbers::sqrt2 * k + k * k);
-    b0_ = high ? norm : k * k * norm;
-    b1_ = high ? -2.0 * b0_ : 2.0 * b0_;
-    a1_ = 2.0 * (k * k - 1.0) * norm;
-    a2_ = (1.0 - std::numbers::sqrt2 * k + k * k) * norm;
-  }
-
-  double b0_ = 0.0;
-  double b1_ = 0.0;
-  double a1_ = 0.0;
-  double a2_ = 0.0;
-  double first_ = 0.0;
-  double second_ = 0.0;
-};
 
 /// For each frame, the quiet tenth of its surroundings. Taken once in half a second: the room does
 /// not change faster.
@@ -105,10 +73,10 @@ std::vector<Run> runs_of_speech(const std::vector<double>& levels, const ChunkOp
 
 std::vector<double> frame_levels(const Clip& sound, const Band& band, Duration frame) {
   const double rate = sound.rate.count();
-  auto high_pass = Biquad::high_pass(std::min(band.low.count(), 0.2 * rate), rate);
+  auto high_pass = Biquad::high_pass(Hertz{std::min(band.low.count(), 0.2 * rate)}, sound.rate);
   // Close to half the rate there is nothing left to keep out.
   const bool is_limited = band.high.count() < 0.45 * rate;
-  auto low_pass = Biquad::low_pass(is_limited ? band.high.count() : 0.4 * rate, rate);
+  auto low_pass = Biquad::low_pass(Hertz{is_limited ? band.high.count() : 0.4 * rate}, sound.rate);
   const double length = rate * std::chrono::duration<double>{frame}.count();
   std::vector<double> levels;
   levels.reserve(static_cast<std::size_t>(static_cast<double>(sound.samples.size()) / length) + 1);

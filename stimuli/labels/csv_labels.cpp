@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "stimuli/base/csv.hpp"
 #include "stimuli/labels/label_time.hpp"
 #include "stimuli/labels/tier_builder.hpp"
 
@@ -121,13 +122,6 @@ Columns columns_of(const std::vector<std::string>& header, const LabelLine& line
           .count = header.size()};
 }
 
-std::string field_text(std::string_view text) {
-  if (text.find_first_of(",\"\n") == std::string_view::npos) return std::string{text};
-  std::string field = "\"";
-  for (const char letter : text) field.append(letter == '"' ? 2 : 1, letter);
-  return field + '"';
-}
-
 }  // namespace
 
 Labels parse_csv_labels(std::string_view text, std::string_view file) {
@@ -165,10 +159,10 @@ std::string csv_labels(const Labels& labels) {
       [&](const std::string& tier, Duration start, Duration end, std::string_view said) {
         fmt::format_to(std::back_inserter(text),
                        "{},{},{},{}\n",
-                       field_text(tier),
+                       csv_field(tier),
                        seconds_text(start),
                        seconds_text(end),
-                       field_text(said));
+                       csv_field(said));
       };
   for (const auto& tier : labels.tiers) {
     for (const auto& label : tier.labels) write(tier.name, label.start, label.end, label.text);

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
+
+#include "stimuli/picture/drawing.hpp"
 
 namespace bimodal::synth {
-
-/// 8-bit sRGB.
-using Colour = std::array<std::uint8_t, 3>;
 
 /// What stands behind the head: the two colours of a soft round glow; equal for a plain ground.
 struct Backdrop {

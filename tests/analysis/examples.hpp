@@ -12,42 +12,9 @@
 
 #include "analysis/data/stored_data.hpp"
 #include "stimuli/words/dictionary.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal::analysis::examples {
-
-/// A folder of this test's own, gone when the test is.
-class Folder {
- public:
-  Folder() {
-    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() /
-            ("bimodal-analysis-" + std::to_string(getpid()) + "-" + test->test_suite_name() + "-" +
-             test->name());
-    std::filesystem::create_directories(path_);
-  }
-
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  Folder(Folder&&) = delete;
-  Folder& operator=(Folder&&) = delete;
-
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  [[nodiscard]] std::filesystem::path operator/(std::string_view name) const {
-    return path_ / name;
-  }
-
-  [[nodiscard]] std::filesystem::path write(std::string_view name, std::string_view text) const {
-    std::ofstream{path_ / name, std::ios::binary} << text;
-    return path_ / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline constexpr std::string_view kDictionaryText =
     "bat B AE T\nbed B EH D\nbee B IY\nblow B L OW\nbow B AW\nbow(2) B OW\ncan't K AE N T\n"
@@ -55,7 +22,7 @@ inline constexpr std::string_view kDictionaryText =
     "read(2) R IY D\nred R EH D\nreed R IY D\nrid R IH D\nstew S T UW\ntoo T UW\ntwo T UW\n"
     "tuna T UW N AH\nwell W EH L\nwe'll W IY L\n";
 
-inline Dictionary dictionary(const Folder& folder) {
+inline Dictionary dictionary(const WrittenFiles& folder) {
   return Dictionary{folder.write("words.dict", kDictionaryText)};
 }
 

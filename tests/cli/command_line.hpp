@@ -14,7 +14,7 @@
 
 #include "stimuli/base/exit_code.hpp"
 #include "tests/cli/command.hpp"
-#include "tests/protocols/written_files.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal {
 

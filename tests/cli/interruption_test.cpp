@@ -9,7 +9,7 @@
 #include "runner/store/sqlite.hpp"
 #include "runner/store/stored_session.hpp"
 #include "tests/cli/command.hpp"
-#include "tests/protocols/written_files.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal {
 namespace {

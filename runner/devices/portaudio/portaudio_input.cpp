@@ -4,12 +4,12 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <pa_linux_alsa.h>
 #include <portaudio.h>
 
 #include "runner/devices/device_error.hpp"
 #include "runner/devices/monotonic_clock.hpp"
 #include "runner/devices/portaudio/portaudio_session.hpp"
+#include "runner/devices/portaudio/portaudio_stream.hpp"
 #include "runner/realtime/capture_buffer.hpp"
 
 namespace bimodal::runner {
@@ -106,12 +106,7 @@ void PortaudioInput::Stream::open() {
   if (failure == paInvalidChannelCount && device.channels > 1) {
     failure = try_with(static_cast<std::size_t>(device.channels));
   }
-  if (failure == paNoError) {
-    // Where the system allows it; JACK's server sees to it for its clients.
-    if (device.host == "ALSA") PaAlsa_EnableRealtimeScheduling(stream, 1);
-    failure = Pa_StartStream(stream);
-    if (failure != paNoError) Pa_CloseStream(stream);
-  }
+  failure = start_stream(failure, stream, device);
   if (failure != paNoError) {
     throw DeviceError{fmt::format(
         "cannot open the microphone '{}' at {} samples per second: {}; choose another --rate or "

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <pa_linux_alsa.h>
 #include <portaudio.h>
 
 #include "runner/devices/device_error.hpp"
 #include "runner/devices/portaudio/portaudio_session.hpp"
+#include "runner/devices/portaudio/portaudio_stream.hpp"
 #include "runner/realtime/latest_ring.hpp"
 #include "runner/realtime/mixer.hpp"
 #include "runner/timing/stream_times.hpp"
@@ -141,12 +141,7 @@ void PortaudioOutput::Stream::open(const PortaudioOptions& options) {
                                   paClipOff | paDitherOff,
                                   &Stream::callback,
                                   this);
-  if (failure == paNoError) {
-    // Where the system allows it; JACK's server sees to it for its clients.
-    if (device.host == "ALSA") PaAlsa_EnableRealtimeScheduling(stream, 1);
-    failure = Pa_StartStream(stream);
-    if (failure != paNoError) Pa_CloseStream(stream);
-  }
+  failure = start_stream(failure, stream, device);
   if (failure != paNoError) {
     throw DeviceError{fmt::format(
         "cannot open the sound output '{}' at {} samples per second: {}; choose another rate or "

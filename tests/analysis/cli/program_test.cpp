@@ -56,7 +56,7 @@ class Program : public testing::Test {
   }
 
  private:
-  examples::Folder folder_;
+  WrittenFiles folder_;
 };
 
 TEST_F(Program, PrintsAMatrixOfStoredSessionsAsCsv) {
@@ -147,13 +147,13 @@ TEST_F(Program, ExitsAsItsHelpSays) {
 }
 
 TEST_F(Program, CallsAFileThatIsNoStoreAStoreError) {
-  const examples::Folder folder;
+  const WrittenFiles folder;
   const auto file = folder.write("text.sqlite", "this is no database at all");
   EXPECT_EQ(run({"matrix", file.string(), "--unit", "vowel"}).code, ExitCode::Store);
 }
 
 TEST_F(Program, RefusesAnAttachmentThatNoBrowserShows) {
-  const examples::Folder folder;
+  const WrittenFiles folder;
   const auto file = folder.write("a:b.txt", "text");
   const auto made = run(
       {"report", "x.sqlite", "-o", "nowhere", "--attach-picture", file.string() + ":a: caption"});

@@ -137,7 +137,7 @@ TEST(GatherTrials, WarnsOfWhatMakesNumbersLessThanTheySeem) {
 }
 
 TEST(ReadStoredFiles, RefusesAFileThatIsNotThere) {
-  const examples::Folder folder;
+  const WrittenFiles folder;
   const std::vector<std::filesystem::path> missing{folder / "none.sqlite"};
   EXPECT_THROW(static_cast<void>(read_stored_files(missing)), Error);
 }

@@ -7,7 +7,7 @@ namespace bimodal::analysis {
 namespace {
 
 TEST(ReadAttachment, TakesTheCaptionBehindTheFile) {
-  const examples::Folder folder;
+  const WrittenFiles folder;
   const auto file = folder.write("a:b.png", "\x89PNG\r\n and more");
   const auto attachment =
       read_attachment(Attachment::Kind::Picture, file.string() + ":Trial 3: mid-word");
@@ -17,7 +17,7 @@ TEST(ReadAttachment, TakesTheCaptionBehindTheFile) {
 }
 
 TEST(ReadAttachment, RefusesWhatIsMissingOrOfAnotherKind) {
-  const examples::Folder folder;
+  const WrittenFiles folder;
   const auto picture = folder.write("a.png", "\x89PNG\r\n and more").string();
   EXPECT_THROW(static_cast<void>(read_attachment(Attachment::Kind::Sound, picture)), Error);
   EXPECT_THROW(static_cast<void>(read_attachment(Attachment::Kind::Picture, "none.png:caption")),

@@ -32,7 +32,7 @@ runner::StoredTrial visual(runner::StoredTrial trial) {
 
 /// Two participants, three words in each of two conditions, answered by hand.
 Results example_results() {
-  const examples::Folder folder;
+  const WrittenFiles folder;
   auto one = session("P01",
                      {stored_trial(0, "bat", "B AE T", "bat"),
                       stored_trial(1, "two", "T UW", "too"),

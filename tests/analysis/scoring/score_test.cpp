@@ -28,7 +28,7 @@ class ScoreWords : public testing::Test {
   }
 
  private:
-  examples::Folder folder_;
+  WrittenFiles folder_;
   Dictionary dictionary_ = examples::dictionary(folder_);
 };
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/base/digest.hpp"
-#include "tests/protocols/written_files.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal::protocols {
 namespace {

@@ -18,7 +18,7 @@
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/random.hpp"
-#include "tests/protocols/written_files.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal::protocols {
 namespace {

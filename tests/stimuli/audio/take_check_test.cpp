@@ -13,7 +13,7 @@
 
 #include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/random.hpp"
-#include "tests/protocols/written_files.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal {
 namespace {

@@ -25,7 +25,6 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
-using testing_corpus::Folder;
 using testing_corpus::Reading;
 
 WordList list_of(const std::vector<std::string>& spellings) {
@@ -87,7 +86,7 @@ class BuildCorpus : public testing::Test {
             .talker = "kal"};
   }
 
-  Folder folder_;
+  WrittenFiles folder_;
   std::optional<synth::Voice> voice_;
 };
 

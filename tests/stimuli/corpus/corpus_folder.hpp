@@ -16,40 +16,9 @@
 #include "stimuli/base/random.hpp"
 #include "stimuli/timeline/utterance.hpp"
 #include "synth/voice/voice.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal::testing_corpus {
-
-/// A folder that goes with the test.
-class Folder {
- public:
-  Folder()
-      : path_{std::filesystem::path{testing::TempDir()} /
-              ("corpus-" + std::to_string(::getpid()) + "-" +
-               testing::UnitTest::GetInstance()->current_test_info()->name())} {
-    std::filesystem::create_directories(path_);
-  }
-
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  Folder(Folder&&) = delete;
-  Folder& operator=(Folder&&) = delete;
-
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
-    return path_ / name;
-  }
-
-  void write(const std::string& name, const std::string& content) const {
-    std::ofstream{path_ / name, std::ios::binary} << content;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A reading put together: silence of a room at -70 dB FS, words, noises.
 class Reading {

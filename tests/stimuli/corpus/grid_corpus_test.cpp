@@ -50,7 +50,7 @@ TEST(GridCorpus, IsBuiltFromTheSixClips) {
   if (data.empty() || !std::filesystem::exists(data / "clips" / "bbaf2n.mpg")) {
     GTEST_SKIP() << "BIMODAL_TEST_DATA does not name a folder with clips/bbaf2n.mpg";
   }
-  const testing_corpus::Folder folder;
+  const WrittenFiles folder;
   BuildRequest request{.folder = folder / "grid", .licence = "CC BY 4.0"};
   const Dictionary dictionary{Dictionary::installed()};
   for (const auto& word : kWords) {

@@ -11,7 +11,7 @@
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/corpus/spoken_text.hpp"
-#include "tests/protocols/written_files.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal {
 namespace {

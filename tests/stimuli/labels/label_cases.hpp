@@ -16,42 +16,9 @@
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/random.hpp"
 #include "stimuli/labels/label_file.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal::label_cases {
-
-/// A folder of the running test; it goes when the test ends.
-class Folder {
- public:
-  Folder()
-      : path_{std::filesystem::path{testing::TempDir()} /
-              ("bimodal_labels_" + std::to_string(::getpid()) + "_" +
-               testing::UnitTest::GetInstance()->current_test_info()->name())} {
-    std::filesystem::create_directories(path_);
-  }
-
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  Folder(Folder&&) = delete;
-  Folder& operator=(Folder&&) = delete;
-
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  [[nodiscard]] std::filesystem::path operator/(std::string_view name) const {
-    return path_ / name;
-  }
-
-  [[nodiscard]] std::filesystem::path holding(std::string_view name,
-                                              std::string_view content) const {
-    std::ofstream{path_ / name, std::ios::binary} << content;
-    return path_ / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline std::string message_of(const std::function<void()>& deed) {
   try {

@@ -21,9 +21,7 @@ using ::testing::HasSubstr;
 constexpr int kTries = 300;
 
 /// Written and read again.
-Labels there_and_back(const label_cases::Folder& folder,
-                      const std::string& name,
-                      const Labels& labels) {
+Labels there_and_back(const WrittenFiles& folder, const std::string& name, const Labels& labels) {
   write_labels(folder / name, labels);
   return read_labels(folder / name);
 }
@@ -41,7 +39,7 @@ Labels rounded(Labels labels, Duration unit) {
 }
 
 TEST(LabelFile, GivesATextGridBackToTheNanosecond) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   Random random{1};
   for (int i = 0; i < kTries; ++i) {
     auto labels = random_labels(random, {});
@@ -52,7 +50,7 @@ TEST(LabelFile, GivesATextGridBackToTheNanosecond) {
 }
 
 TEST(LabelFile, GivesACsvBackToTheNanosecond) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   Random random{2};
   for (int i = 0; i < kTries; ++i) {
     auto labels = random_labels(random, {});
@@ -63,7 +61,7 @@ TEST(LabelFile, GivesACsvBackToTheNanosecond) {
 }
 
 TEST(LabelFile, GivesAnHtkFileBackToItsUnit) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   Random random{3};
   for (int i = 0; i < kTries; ++i) {
     auto labels = random_labels(random, {.grid = Duration{i % 2 == 0 ? 100 : 1}, .tiers = 1});
@@ -75,7 +73,7 @@ TEST(LabelFile, GivesAnHtkFileBackToItsUnit) {
 }
 
 TEST(LabelFile, GivesAnAlignFileBackToItsUnit) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   Random random{4};
   for (int i = 0; i < kTries; ++i) {
     auto labels = random_labels(
@@ -86,7 +84,7 @@ TEST(LabelFile, GivesAnAlignFileBackToItsUnit) {
 }
 
 TEST(LabelFile, TakesLabelsWithoutTextForGaps) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   const Labels labels{.end = 3s,
                       .tiers = {{.name = "words", .labels = {{1s, 2s, "a"}, {2s, 3s, ""}}}}};
   auto without = labels;
@@ -100,16 +98,16 @@ TEST(LabelFile, TakesLabelsWithoutTextForGaps) {
 }
 
 TEST(LabelFile, KeepsPointsWithoutText) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   const Labels labels{.end = 3s, .tiers = {{.name = "phones", .labels = {{1s, 1s, ""}}}}};
   EXPECT_EQ(there_and_back(folder, "a.TextGrid", labels), labels);
   EXPECT_EQ(there_and_back(folder, "a.csv", labels), labels);
 }
 
 TEST(LabelFile, ReplacesWhatWasThereAndLeavesNoDraft) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   const Labels labels{.end = 1s, .tiers = {{.name = "words", .labels = {{0s, 1s, "a"}}}}};
-  write_labels(folder.holding("a.csv", "something else"), labels);
+  write_labels(folder.write("a.csv", "something else"), labels);
   EXPECT_EQ(read_labels(folder / "a.csv"), labels);
   const std::filesystem::directory_iterator files{(folder / "a.csv").parent_path()};
   EXPECT_EQ(std::distance(begin(files), end(files)), 1);
@@ -118,7 +116,7 @@ TEST(LabelFile, ReplacesWhatWasThereAndLeavesNoDraft) {
 }
 
 TEST(LabelFile, RefusesLabelsThatDoNotKeepTheirPromises) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   const auto fault = [&](std::vector<Label> labels, Duration end) {
     return message_of([&] {
       write_labels(folder / "a.TextGrid",
@@ -137,7 +135,7 @@ TEST(LabelFile, RefusesLabelsThatDoNotKeepTheirPromises) {
 }
 
 TEST(LabelFile, RefusesWhatAFormatCannotHold) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   const auto fault = [&](const std::string& name, const std::vector<Tier>& tiers) {
     return message_of([&] { write_labels(folder / name, {.end = 1s, .tiers = tiers}); });
   };
@@ -162,7 +160,7 @@ TEST(LabelFile, KnowsFormatsByTheirEndings) {
 }
 
 TEST(LabelFile, NamesTheFileThatCannotBeRead) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   EXPECT_THAT(message_of([&] { (void)read_labels(folder / "absent.lab"); }),
               HasSubstr("absent.lab"));
   std::filesystem::create_directory(folder / "folder.lab");
@@ -171,8 +169,8 @@ TEST(LabelFile, NamesTheFileThatCannotBeRead) {
 }
 
 TEST(LabelFile, RefusesFilesThatAreTooLarge) {
-  const label_cases::Folder folder;
-  const auto file = folder.holding("a.lab", "");
+  const WrittenFiles folder;
+  const auto file = folder.write("a.lab", "");
   std::filesystem::resize_file(file, (16UL << 20U) + 1);
   EXPECT_THAT(message_of([&] { (void)read_labels(file); }),
               AllOf(HasSubstr("a.lab: 16777217 bytes"), HasSubstr("16 MB")));

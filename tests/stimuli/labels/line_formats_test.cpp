@@ -45,7 +45,7 @@ TEST(HtkLab, HasQuotedNamesAndEscapes) {
 }
 
 TEST(HtkLab, IsWrittenAsHtkReadsIt) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   write_labels(folder / "b.lab",
                one_tier("words",
                         {{0ms, 230ms, "sil"},
@@ -91,9 +91,9 @@ TEST(FestivalLab, OfFestivalItselfIsAnUtterance) {
   if (std::system("command -v festival >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "festival is not installed";
   }
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   const auto lab = (folder / "f.lab").string();
-  const auto script = folder.holding(
+  const auto script = folder.write(
       "say.scm", "(utt.save.segs (utt.synth (Utterance Phones (pau k ae t pau))) \"" + lab + "\")");
   const auto command = "festival -b '" + script.string() + "' >/dev/null 2>&1";
   if (std::system(command.c_str()) != 0) GTEST_SKIP() << "festival has no voice";
@@ -119,7 +119,7 @@ TEST(Align, Has25000UnitsToTheSecond) {
       one_tier("words", {{0ms, 950ms, "sil"}, {950ms, 1180ms, "bin"}, {1180ms, 1360ms, "blue"}});
   EXPECT_EQ(parse_labels(text, "a.align"), expected);
   EXPECT_EQ(parse_labels(replaced(text, "\n", "\r\n"), "a.align"), expected);
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   write_labels(folder / "b.align", expected);
   EXPECT_EQ(read_file(folder / "b.align"), text);
 }
@@ -159,7 +159,7 @@ TEST(CsvLabels, HaveTheirColumnsInAnyOrder) {
 }
 
 TEST(CsvLabels, KeepTiersWithoutLabelsAndTheEnd) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   const Labels labels{
       .end = 2s,
       .tiers = {{.name = "none", .labels = {}}, {.name = "a,b", .labels = {{0s, 1s, "x"}}}}};

@@ -21,8 +21,8 @@ bool has_praat() {
 }
 
 /// Runs a script and returns what it printed.
-std::string run_praat(const label_cases::Folder& folder, const std::string& script) {
-  const auto file = folder.holding("script.praat", script);
+std::string run_praat(const WrittenFiles& folder, const std::string& script) {
+  const auto file = folder.write("script.praat", script);
   const auto output = folder / "output.txt";
   const auto command = fmt::format(
       "praat --no-pref-files --utf8 --run '{}' >'{}' 2>&1", file.string(), output.string());
@@ -98,7 +98,7 @@ std::string with_short_zeros(const std::string& text) {
 
 TEST(Praat, ReadsOurTextGridsAsTheyAreMeant) {
   if (!has_praat()) GTEST_SKIP() << "praat is not installed";
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   write_labels(folder / "ours.TextGrid", sample());
   const auto told = run_praat(
       folder,
@@ -108,7 +108,7 @@ TEST(Praat, ReadsOurTextGridsAsTheyAreMeant) {
 
 TEST(Praat, ReadsEveryRandomTextGrid) {
   if (!has_praat()) GTEST_SKIP() << "praat is not installed";
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   Random random{5};
   std::string script;
   std::string expected;
@@ -125,7 +125,7 @@ TEST(Praat, ReadsEveryRandomTextGrid) {
 
 TEST(Praat, WritesTextGridsThatWeRead) {
   if (!has_praat()) GTEST_SKIP() << "praat is not installed";
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   write_labels(folder / "ours.TextGrid", sample());
   const auto path = [&](const char* name) { return (folder / name).string(); };
   run_praat(folder,

@@ -185,7 +185,7 @@ TEST(TextGrid, MovesBoundariesThatOverlapByRounding) {
 }
 
 TEST(TextGrid, WritesWhatTheFormatSays) {
-  const label_cases::Folder folder;
+  const WrittenFiles folder;
   const auto file = folder / "b.TextGrid";
   write_labels(file,
                {.end = 2s,

@@ -21,6 +21,8 @@ class WrittenFiles {
 
   WrittenFiles(const WrittenFiles&) = delete;
   WrittenFiles& operator=(const WrittenFiles&) = delete;
+  WrittenFiles(WrittenFiles&&) = delete;
+  WrittenFiles& operator=(WrittenFiles&&) = delete;
 
   ~WrittenFiles() {
     std::error_code ignored;
@@ -33,6 +35,10 @@ class WrittenFiles {
     std::filesystem::create_directories(file.parent_path());
     std::ofstream{file, std::ios::binary} << content;
     return file;
+  }
+
+  [[nodiscard]] std::filesystem::path operator/(std::string_view name) const {
+    return folder_ / name;
   }
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

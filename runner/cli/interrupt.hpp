@@ -1,0 +1,11 @@
+#pragma once
+
+namespace bimodal::runner {
+
+/// From now on the first Ctrl-C asks the session to stop, and a second ends the program as usual.
+void stop_at_interrupt();
+
+/// Whether the first has come.
+[[nodiscard]] bool interrupt_asked();
+
+}  // namespace bimodal::runner
