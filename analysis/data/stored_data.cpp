@@ -82,6 +82,7 @@ Trial make_trial(const StoredTrial& stored, const SourceFile& file, const Stored
              .visual_talker = plan.visual_talker,
              .snr_db = plan.snr_db,
              .word = plan.word,
+             .visual_word = plan.visual_word,
              .phones = phones_of(stored, file, session),
              .response = trial.response.text,
              .first_key = std::nullopt,

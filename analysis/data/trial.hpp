@@ -20,9 +20,10 @@ struct Trial {
   std::optional<std::string> auditory_talker;  ///< absent: nothing spoken was heard
   std::optional<std::string> visual_talker;    ///< absent: no face was seen
   std::optional<double> snr_db;                ///< absent: no noise
-  std::string word;
-  Pronunciation phones;  ///< as presented
-  std::string response;  ///< as submitted, UTF-8; empty for an omission
+  std::string word;                            ///< that was heard, or seen if nothing was heard
+  std::optional<std::string> visual_word;      ///< that was seen, if it was dubbed onto another
+  Pronunciation phones;                        ///< as presented
+  std::string response;                        ///< as submitted, UTF-8; empty for an omission
   /// Since the planned end of the stimulus, so negative for a key pressed before it.
   std::optional<Duration> first_key;
   Duration submitted{};  ///< since the planned end of the stimulus

@@ -91,6 +91,7 @@ ReportFile trials_table(const Results& results) {
                text(trial.visual_talker),
                number(trial.snr_db),
                text(trial.word),
+               text(trial.visual_word),
                text(phones),
                text(trial.response),
                text(score.answer),

@@ -64,6 +64,15 @@ std::vector<std::size_t> draw_order(std::size_t words, Seed seed, SessionKey key
   return order;
 }
 
+/// The word as it is met in a condition: where nothing is heard the seen one is presented, and
+/// where nobody is seen there is no other.
+Word presented(const Word& word, const Condition& condition) {
+  if (!word.seen) return word;
+  if (!condition.auditory_talker) return {word.seen->spelling, word.seen->phones, std::nullopt};
+  if (!condition.visual_talker) return {word.spelling, word.phones, std::nullopt};
+  return word;
+}
+
 }  // namespace
 
 std::vector<PlannedTrial> make_plan(const Protocol& protocol,
@@ -81,7 +90,8 @@ std::vector<PlannedTrial> make_plan(const Protocol& protocol,
   plan.reserve(practice.size() + words.words.size());
   const auto add = [&](Phase phase, int block, const Word& word, std::size_t condition) {
     const Seed noise = derive_seed(protocol.seed, "noise", {participant, session, plan.size()});
-    plan.push_back({plan.size(), phase, block, word, condition, noise});
+    const auto& met = protocol.conditions[condition];
+    plan.push_back({plan.size(), phase, block, presented(word, met), condition, noise});
   };
 
   for (const Word& word : practice) add(Phase::Practice, 0, word, plan.size() % conditions);

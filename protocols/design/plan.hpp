@@ -17,7 +17,7 @@ struct PlannedTrial {
   /// From 0; a new block begins after every break. Practice is block 0, and the first main block
   /// then 1; without practice the first main block is 0.
   int block = 0;
-  Word word;
+  Word word;                  ///< as presented: where nothing is heard, the one that is seen
   std::size_t condition = 0;  ///< index into Protocol::conditions
   Seed noise_seed = 0;
 };

@@ -41,6 +41,7 @@ class Casting {
   Cast run(const std::vector<WrittenCondition>& written) {
     judge_names(written);
     judge_wishes(written);
+    judge_corpora(written);
     for (const auto& one : written) {
       if (takes_place(one.condition)) add(one);
     }
@@ -62,6 +63,28 @@ class Casting {
           written[i].pointer + "/name",
           fmt::format("{} is already the name of condition {}", shown(name), earlier->second),
           "give each condition a name of its own; results are told apart by it");
+    }
+  }
+
+  /// Corpora that are given and that no condition knows, even one that is left out.
+  void judge_corpora(const std::vector<WrittenCondition>& written) {
+    std::set<std::string> known;
+    for (const auto& [condition, pointer, auditory, visual, timing] : written) {
+      for (const auto& talker : {condition.auditory_talker.value_or(""),
+                                 condition.visual_talker.value_or(""),
+                                 condition.timing_talker,
+                                 condition.look.like}) {
+        if (is_corpus(talker)) known.insert(corpus_name(talker));
+      }
+    }
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    for (const auto& [name, folder] : options_.corpora) {
+      if (known.contains(name)) continue;
+      findings_.error(
+          "/conditions",
+          fmt::format(
+              "no talker is \"corpus:{}\", for which --corpus gives '{}'", name, folder.string()),
+          known.empty() ? "the protocol uses no corpus" : suggestion(name, names));
     }
   }
 
@@ -124,9 +147,10 @@ class Casting {
     const auto name = corpus_name(talker);
     const auto pointer = written.pointer + key;
     if (broken_.contains(name)) {
+      if (!told_broken_.insert(name).second) return;
       findings_.error(pointer,
-                      fmt::format("the corpus {} has mistakes", shown(name)),
-                      "mend them; they are listed too");
+                      fmt::format("the corpus {} cannot be used", shown(name)),
+                      "what is wrong with it is listed first");
     } else if (!otherwise.empty()) {
       findings_.warning(
           pointer,
@@ -179,6 +203,7 @@ class Casting {
   Cast cast_;
   std::set<std::string> missing_;
   std::set<std::string> broken_;
+  std::set<std::string> told_broken_;
 };
 
 /// What a corpus lacks, each word once.
@@ -186,8 +211,17 @@ class Lacking {
  public:
   explicit Lacking(const Corpus& corpus) : corpus_{corpus} {}
 
-  void need(const std::string& word) {
-    if (find_item(corpus_, word) != nullptr) return;
+  void need(const std::string& word, const Pronunciation& phones) {
+    if (const auto* const item = find_item(corpus_, word)) {
+      const bool rests = std::ranges::any_of(
+          item->phones, [](const TimedPhone& timed) { return timed.phone == Phone::Rest; });
+      const auto said = pronunciation_of(*item);
+      const auto one_word = word.find(' ') == std::string::npos;
+      if (said != phones || (rests && one_word)) {
+        different_.insert(fmt::format("{} ({}, in the list {})", word, spell(said), spell(phones)));
+      }
+      return;
+    }
     const bool doubtful = std::ranges::any_of(
         corpus_.items, [&](const CorpusItem& item) { return item.word == word; });
     auto& words = doubtful ? doubtful_ : absent_;
@@ -195,6 +229,15 @@ class Lacking {
   }
 
   void tell(const std::string& pointer, Findings& findings) const {
+    if (!different_.empty()) {
+      findings.warning(
+          pointer,
+          fmt::format("the corpus \"{}\" has other phones, or a pause within, for {}: {}",
+                      corpus_.name,
+                      counted(different_.size(), "word"),
+                      named({different_.begin(), different_.end()})),
+          "answers are scored by the recording's phones; mend its labels if they are wrong");
+    }
     if (!absent_.empty()) {
       findings.error(pointer,
                      fmt::format("the corpus \"{}\" lacks {}: {}",
@@ -225,6 +268,7 @@ class Lacking {
   const Corpus& corpus_;
   std::vector<std::string> absent_;
   std::vector<std::string> doubtful_;
+  std::set<std::string> different_;  ///< words and their phones here and there
 };
 
 }  // namespace
@@ -247,7 +291,11 @@ void judge_repertoire(const Cast& cast,
     Lacking lacking{corpus->second};
     for (const auto* list : {&practice, &words}) {
       for (const auto& word : *list) {
-        lacking.need(seen && word.seen ? word.seen->spelling : word.spelling);
+        if (seen && word.seen) {
+          lacking.need(word.seen->spelling, word.seen->phones);
+        } else {
+          lacking.need(word.spelling, word.phones);
+        }
       }
     }
     lacking.tell(pointer, findings);

@@ -116,7 +116,7 @@ std::optional<Gate> read_gate(ObjectReader& parent, Findings& findings) {
   if (!reader) return std::nullopt;
   Gate gate;
   gate.at = reader->time(
-      "at_ms", 1ms, {0, 60'000, "milliseconds since the onset of the speech, e.g. 120"});
+      "at_ms", 1ms, {1, 60'000, "milliseconds since the onset of the speech, e.g. 120"});
   take(gate.after_phone,
        read_whole(*reader, "after_phone", {1, 100, "the number of a phone, from 1"}));
   if (const auto picture = reader->choice("picture", kAfterGate)) {

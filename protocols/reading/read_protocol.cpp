@@ -64,9 +64,9 @@ ReadProtocol read_protocol_text(std::string text,
   judge_repertoire(cast, read.words.words, read.practice, findings);
   judge_meaning(read.protocol, read.words.words, read.practice, findings);
 
-  read.diagnostics = findings.located(lines, file.string());
-  read.diagnostics.insert(
-      read.diagnostics.end(), cast.corpus_findings.begin(), cast.corpus_findings.end());
+  read.diagnostics = cast.corpus_findings;
+  const auto located = findings.located(lines, file.string());
+  read.diagnostics.insert(read.diagnostics.end(), located.begin(), located.end());
   read.corpora = std::move(cast.corpora);
   const auto& of_lists = finder.list_findings();
   read.diagnostics.insert(read.diagnostics.end(), of_lists.begin(), of_lists.end());

@@ -22,8 +22,8 @@ struct ReadProtocol {
   std::vector<std::string> condition_pointers;  ///< where each of protocol.conditions is written
   std::map<std::string, Corpus> corpora;        ///< that the talkers "corpus:NAME" are, by NAME
   CastOptions cast;                             ///< what was chosen in reading
-  /// Every mistake and warning: of the protocol in the order of its lines, then of its corpora
-  /// and word lists.
+  /// Every mistake and warning: of the corpora, of the protocol in the order of its lines, then of
+  /// its and word lists.
   std::vector<Diagnostic> diagnostics;
 };
 

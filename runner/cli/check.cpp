@@ -76,7 +76,7 @@ std::vector<Diagnostic> check_stimuli(const ReadProtocol& read, const std::strin
   if (has_errors(found)) return found;
   Repertoire repertoire{read.protocol.sound.rate, read.corpora};
   TrialPreparer preparer{read.protocol, repertoire, nullptr, Hertz{60}};
-  const auto sounds = check_sounds(read, every_sound(read), preparer, file);
+  const auto sounds = check_sounds(read, every_stimulus(read), preparer, file);
   found.insert(found.end(), sounds.begin(), sounds.end());
   return found;
 }

@@ -56,7 +56,10 @@ std::optional<protocols::ReadProtocol> load_protocol(const ProtocolChoice& choic
                       "--corpus natural=my-talker",
                       corpus)};
     }
-    options.cast.corpora[corpus.substr(0, equals)] = corpus.substr(equals + 1);
+    const auto name = corpus.substr(0, equals);
+    if (!options.cast.corpora.emplace(name, corpus.substr(equals + 1)).second) {
+      throw Error{fmt::format("--corpus names '{}' twice; give one folder for each name", name)};
+    }
   }
   auto read = protocols::read_protocol(find_protocol(choice.named), options);
   print(read.diagnostics);

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "runner/booth/session_loop.hpp"
+#include "runner/cli/media_check.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_setup.hpp"
@@ -101,6 +102,9 @@ int sessions_per_participant(const protocols::Protocol& protocol) {
 ExitCode rehearse(const RehearseOptions& options) {
   const auto read = load_protocol(options.protocol);
   if (!read) return ExitCode::InvalidInput;
+  const auto media = check_media(*read, find_protocol(options.protocol.named).string());
+  print(media);
+  if (has_errors(media)) return ExitCode::InvalidInput;
   const auto data = options.data.empty()
                         ? "rehearsal-" + default_data_file(options.protocol.named).string()
                         : options.data;

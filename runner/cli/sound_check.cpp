@@ -64,20 +64,19 @@ std::string finding_of(const Clipping& clipping, const std::string& condition) {
 
 }  // namespace
 
-std::vector<protocols::PlannedTrial> every_sound(const protocols::ReadProtocol& read) {
-  std::vector<protocols::PlannedTrial> sounds;
+std::vector<protocols::PlannedTrial> every_stimulus(const protocols::ReadProtocol& read) {
+  std::vector<protocols::PlannedTrial> stimuli;
   for (std::size_t condition = 0; condition < read.protocol.conditions.size(); ++condition) {
-    if (!read.protocol.conditions[condition].auditory_talker) continue;
     for (const auto* words : {&read.practice, &read.words.words}) {
       for (const auto& word : *words) {
-        sounds.push_back({.index = sounds.size(),
-                          .word = word,
-                          .condition = condition,
-                          .noise_seed = read.protocol.seed + sounds.size()});
+        stimuli.push_back({.index = stimuli.size(),
+                           .word = word,
+                           .condition = condition,
+                           .noise_seed = read.protocol.seed + stimuli.size()});
       }
     }
   }
-  return sounds;
+  return stimuli;
 }
 
 std::vector<Diagnostic> check_sounds(const protocols::ReadProtocol& read,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/media_check.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_setup.hpp"
@@ -27,6 +28,9 @@ struct MixOptions {
 ExitCode mix_trial(const MixOptions& options) {
   const auto read = load_protocol(options.protocol);
   if (!read) return ExitCode::InvalidInput;
+  const auto media = check_media(*read, find_protocol(options.protocol.named).string());
+  print(media);
+  if (has_errors(media)) return ExitCode::InvalidInput;
   const auto plan = protocols::make_plan(
       read->protocol,
       read->words,

@@ -71,11 +71,11 @@ Colour colour_of(std::uint32_t rgb) {
           static_cast<std::uint8_t>(rgb)};
 }
 
-constexpr std::int64_t kTextScale = 2;
-constexpr std::size_t kCaptionHeight = 24;  ///< pixels below each picture
+constexpr std::size_t kCaptionHeight = 24;  ///< pixels
+constexpr std::size_t kWideCell = 300;      ///< pixels: has room for captions at double scale
 constexpr Colour kInk{235, 235, 235};
 
-/// A picture with `image` in its middle, cut or surrounded as need be, and a line of text below.
+/// A picture with `image` in its middle, cut or surrounded as need be.
 Image make_cell(const Image* image, std::size_t width, std::size_t height, Colour ground) {
   auto cell = blank_image(width, height, ground);
   if (image == nullptr) return cell;
@@ -140,20 +140,20 @@ class StripMaker {
     if (options_.output.empty()) return;
     std::size_t columns = 0;
     for (const auto& row : rows_) columns = std::max(columns, row.cells.size());
-    const auto line = cell_height() + kCaptionHeight;
+    // Above each row the condition's name, below each picture what it shows.
+    const auto line = cell_height() + 2 * kCaptionHeight;
+    const std::int64_t scale = cell_width() < kWideCell ? 1 : 2;
     auto sheet = blank_image(columns * cell_width(), rows_.size() * line, {24, 24, 24});
     for (std::size_t y = 0; y < rows_.size(); ++y) {
       const auto top = static_cast<std::int64_t>(y * line);
+      const auto pictures = top + static_cast<std::int64_t>(kCaptionHeight);
+      const auto below = pictures + static_cast<std::int64_t>(cell_height());
+      draw_text(sheet, {4, top + 4}, rows_[y].condition, kInk, 2);
       for (std::size_t x = 0; x < rows_[y].cells.size(); ++x) {
         const auto left = static_cast<std::int64_t>(x * cell_width());
-        paste(sheet, {left, top}, rows_[y].cells[x]);
-        draw_text(sheet,
-                  {left + 4, top + static_cast<std::int64_t>(cell_height()) + 4},
-                  rows_[y].captions[x],
-                  kInk,
-                  kTextScale);
+        paste(sheet, {left, pictures}, rows_[y].cells[x]);
+        draw_text(sheet, {left + 4, below + 4}, rows_[y].captions[x], kInk, scale);
       }
-      draw_text(sheet, {4, top + 4}, rows_[y].condition, kInk, kTextScale);
     }
     write_png(sheet, options_.output);
     fmt::print("{}: a row a condition, a picture at the centre of each phone\n", options_.output);

@@ -144,6 +144,13 @@ Enactment enact(const protocols::Condition& condition, const Word& word, Reperto
   if (condition.manner.gate) {
     enactment.gate = gate_instant(
         *condition.manner.gate, heard != nullptr ? enactment.heard : enactment.seen, word);
+    if (*enactment.gate >= enactment.length) {
+      throw Error{
+          fmt::format("the gate of \"{}\" lies behind its end: {} ms of {} ms; set it earlier",
+                      shown_name(word),
+                      std::chrono::round<std::chrono::milliseconds>(*enactment.gate).count(),
+                      std::chrono::round<std::chrono::milliseconds>(enactment.length).count())};
+    }
   }
   return enactment;
 }

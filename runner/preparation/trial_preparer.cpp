@@ -86,8 +86,8 @@ TrialPreparer::Kept& TrialPreparer::kept(const PlannedTrial& trial) {
 
 std::optional<Mix> TrialPreparer::mix_sound(const PlannedTrial& trial) {
   const Condition& condition = protocol_.conditions.at(trial.condition);
-  if (!condition.auditory_talker) return std::nullopt;
   auto& known = kept(trial);
+  if (!condition.auditory_talker) return std::nullopt;
   const auto& noise = protocol_.sound.noise;
   MixRequest request{.speech = known.enactment.sound.get(),
                      .interval = speech_interval(known.enactment.heard),

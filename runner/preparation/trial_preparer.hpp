@@ -42,7 +42,8 @@ class TrialPreparer {
   [[nodiscard]] PreparedTrial prepare(
       const protocols::PlannedTrial& trial, const Checkpoint& checkpoint = [] {});
 
-  /// The sound alone; absent if the condition has none. Does not judge clipping.
+  /// The sound alone; absent if the condition has none. Does not judge clipping. Throws Error as
+  /// enact() does, also where nothing is heard.
   [[nodiscard]] std::optional<Mix> mix_sound(const protocols::PlannedTrial& trial);
 
  private:

@@ -25,6 +25,7 @@ constexpr double kPeak = 0.9;
 constexpr double kFullScale = std::numeric_limits<std::int16_t>::max();
 constexpr double kQuietPart = 0.02;
 constexpr double kHighestFloor = 0.01;  ///< re the peak
+constexpr double kRoom = 1e-3;          ///< re the peak: 60 dB below it
 constexpr Seed kNoiseSeed = 1976;
 
 void refuse_what_is_no_number(const Clip& sound) {
@@ -79,10 +80,11 @@ SearchSound search_sound(const Clip& sound) {
   const double floor = gain * std::min(floor_of(heard), kHighestFloor * peak);
   SearchSound made{.samples = {}, .padding = kPadding};
   made.samples.reserve(heard.size() + 2 * kPaddingSamples);
+  const double room = kRoom * kPeak * kFullScale;
   Random random{kNoiseSeed};
   const auto add = [&](double sample) {
     made.samples.push_back(static_cast<std::int16_t>(
-        std::clamp(std::round(sample + random.normal()), -kFullScale, kFullScale)));
+        std::clamp(std::round(sample + room * random.normal()), -kFullScale, kFullScale)));
   };
   for (std::size_t i = 0; i < kPaddingSamples; ++i) add(floor * random.normal());
   for (const double sample : heard) add(gain * sample);

@@ -241,5 +241,30 @@ TEST(Plan, OfNoWordsIsOnlyPractice) {
   EXPECT_EQ(plan.size(), 2U);
 }
 
+// A word that is dubbed onto another is a word of two kinds only where it is heard and seen.
+TEST(Plan, PresentsWhatIsSeenWhereNothingIsHeard) {
+  Protocol protocol;
+  protocol.assignment = Assignment::EveryCondition;
+  protocol.conditions.resize(3);
+  protocol.conditions[0].auditory_talker = "festival:kal";
+  protocol.conditions[1].visual_talker = "face";
+  protocol.conditions[2].auditory_talker = "festival:kal";
+  protocol.conditions[2].visual_talker = "face";
+  const WordList words{.name = "dubbed",
+                       .words = {{.spelling = "ba",
+                                  .phones = {Phone::B, Phone::AA},
+                                  .seen = SeenWord{"da", {Phone::D, Phone::AA}}}}};
+  for (int session = 1; session <= 3; ++session) {
+    const auto trial = make_plan(protocol, words, {}, {1, session}).at(0);
+    if (trial.condition == 1) {
+      EXPECT_EQ(trial.word.spelling, "da");
+      EXPECT_EQ(trial.word.phones, (Pronunciation{Phone::D, Phone::AA}));
+    } else {
+      EXPECT_EQ(trial.word.spelling, "ba");
+    }
+    EXPECT_EQ(trial.word.seen.has_value(), trial.condition == 2);
+  }
+}
+
 }  // namespace
 }  // namespace bimodal::protocols

@@ -41,6 +41,29 @@ TEST_P(AlignerAccuracy, FindsFestivalsBoundariesAndReturnsEveryPhone) {
   EXPECT_GE(share_within(errors, 50.0), 0.93);
 }
 
+// Programs that join or pad sounds put digital zeros between them, beside which even the weak end
+// of a word is loud.
+TEST_P(AlignerAccuracy, FindsWordsInDigitalSilence) {
+  const synth::Voice voice{GetParam()};
+  Aligner aligner;
+  std::vector<double> errors;
+  for (const auto& word : words(40)) {
+    const auto item = voice.speak(word.spelling, word.phones);
+    const auto zeros = static_cast<std::size_t>(
+        nearest_sample(std::chrono::milliseconds{350}, item.sound.rate).count());
+    Clip padded = item.sound;
+    padded.samples.insert(padded.samples.begin(), zeros, 0.0F);
+    padded.samples.insert(padded.samples.end(), zeros, 0.0F);
+    auto labels = item.utterance;
+    for (auto& timed : labels.phones) timed.start += std::chrono::milliseconds{350};
+    labels.phones.front().start = {};
+    const auto of_word = boundary_errors(aligner.align(padded, word.phones).utterance, labels);
+    errors.insert(errors.end(), of_word.begin(), of_word.end());
+  }
+  EXPECT_LE(median_size(errors), 15.0);
+  EXPECT_GE(share_within(errors, 50.0), 0.90);
+}
+
 TEST_P(AlignerAccuracy, WordThatWasSaidFitsBetterThanAnotherOne) {
   const synth::Voice voice{GetParam()};
   Aligner aligner;
