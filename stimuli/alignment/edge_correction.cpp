@@ -19,9 +19,10 @@ constexpr Duration kLatestEnd = milliseconds{50};
 constexpr Duration kVoicelessClosure = milliseconds{30};
 constexpr Duration kVoicedClosure = milliseconds{10};
 constexpr Duration kSonorantLag = milliseconds{12};
+constexpr Duration kLiquidLag = milliseconds{20};
 constexpr double kBelowPeak = 35.0;
-constexpr double kWeakBelowPeak = 38.0;
-constexpr double kAboveFloor = 10.0;
+constexpr double kWeakBelowPeak = 40.0;
+constexpr double kAboveFloor = 8.0;
 
 constexpr std::array kVoicelessClosed{P, T, K, CH};
 constexpr std::array kVoicedClosed{B, D, G, JH};
@@ -100,9 +101,9 @@ Duration lead(Phone before, Phone phone) {
     if (is_one_of(kVoicedClosed, phone)) return kVoicedClosure;
     return {};
   }
-  const bool from_sonorant = is_one_of(kSonorants, before) && !is_one_of(kSonorants, phone);
-  const bool to_liquid = is_vowel(before) && is_one_of(kLiquids, phone);
-  return phone != Rest && (from_sonorant || to_liquid) ? kSonorantLag : Duration{};
+  if (is_vowel(before) && is_one_of(kLiquids, phone)) return kLiquidLag;
+  if (phone == Rest || !is_one_of(kSonorants, before) || is_one_of(kSonorants, phone)) return {};
+  return is_one_of(kLiquids, before) ? kLiquidLag : kSonorantLag;
 }
 
 }  // namespace
