@@ -1,7 +1,6 @@
 #include "stimuli/corpus/build_corpus.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,15 +9,14 @@
 #include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/digest.hpp"
-#include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/corpus/corpus_folder.hpp"
 #include "stimuli/corpus/cut_items.hpp"
-#include "stimuli/corpus/hear_text.hpp"
+#include "stimuli/corpus/earlier_items.hpp"
 #include "stimuli/corpus/item_sound.hpp"
 #include "stimuli/corpus/labelled_words.hpp"
-#include "stimuli/corpus/spoken_text.hpp"
-#include "stimuli/labels/label_file.hpp"
+#include "stimuli/corpus/level_doubts.hpp"
+#include "stimuli/corpus/recording_words.hpp"
 #include "stimuli/video/media_file.hpp"
 #include "stimuli/video/sound_track.hpp"
 
@@ -28,19 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLevelRange = 12.0;
-
 double seconds(Duration duration) {
   return std::chrono::duration<double>{duration}.count();
 }
-
-/// One recording's part of the corpus, before items have names of their own.
-struct BuiltRecording {
-  Recording recording;
-  std::vector<CorpusItem> items;
-  std::vector<Decibels> levels;  ///< of the items' speech
-  bool running = false;
-};
 
 class Builder {
  public:
@@ -48,12 +36,14 @@ class Builder {
       : request_{request},
         progress_{progress},
         pronouncer_{request.list.words},
-        labels_{request.folder} {}
+        labels_{request.folder},
+        reader_{request.list.words, request.texts, labels_, pronouncer_, progress} {}
 
   BuildReport build() {
     read_earlier();
     const auto files = recordings();
     refuse_equal_names(files);
+    tell_of_unused_texts(files);
     for (const auto& file : files) {
       try {
         built_.push_back(build_recording(file));
@@ -114,6 +104,23 @@ class Builder {
     }
   }
 
+  void tell_of_unused_texts(const std::vector<fs::path>& files) {
+    std::vector<std::string> unused;
+    for (const auto& [name, text] : request_.texts) {
+      const bool is_used =
+          std::ranges::any_of(files, [&](const auto& file) { return file.stem() == name; });
+      if (!is_used) unused.push_back(name);
+    }
+    if (unused.empty()) return;
+    report_.findings.push_back(
+        {Severity::Warning,
+         "",
+         0,
+         "",
+         fmt::format("a text is given for '{}', but no such recording", fmt::join(unused, "', '")),
+         "write the recording's name as its file has it, without folder and ending"});
+  }
+
   [[nodiscard]] const Recording* earlier_recording(const std::string& file) const {
     const auto found = std::ranges::find(earlier_.recordings, file, &Recording::file);
     return found == earlier_.recordings.end() ? nullptr : &*found;
@@ -129,7 +136,8 @@ class Builder {
                       file.string())};
     }
     auto sound = read_sound_track(file);
-    const auto said = words_in(file, sound);
+    const auto [said, text, labels, by_list] = reader_.read(file, sound);
+    by_list_ = by_list_ || by_list;
     BuiltRecording built;
     built.running = said.running;
     built.items =
@@ -142,57 +150,11 @@ class Builder {
     }
     tell_of_others(file, said);
     built.recording = keep_media(file, media, sound);
-    keep_labels(file.stem().string(), said, sound.duration());
+    tell_of_change(built.recording, labels);
+    const auto name = file.stem().string();
+    if (text) labels_.write_text(name, *text);
+    if (!labels_.edited(name)) labels_.write(name, labels_of(said, sound.duration()));
     return built;
-  }
-
-  SaidWords words_in(const fs::path& file, const Clip& sound) {
-    const auto name = file.stem().string();
-    if (labels_.edited(name)) return labelled(labels_.file_of(name), sound);
-    for (const auto* const ending : {".TextGrid", ".lab", ".align"}) {
-      auto beside = file;
-      beside.replace_extension(ending);
-      std::error_code ignored;
-      if (fs::exists(beside, ignored)) return labelled(beside, sound);
-    }
-    if (const auto text = text_of(file)) {
-      std::vector<SpokenWord> words;
-      for (const auto& word : *text) words.push_back(pronouncer_.pronounce(word));
-      keep_text(name, *text);
-      return hear_text(sound, words);
-    }
-    by_list_ = true;
-    return hear_list(sound, request_.list.words, progress_);
-  }
-
-  SaidWords labelled(const fs::path& file, const Clip& sound) {
-    try {
-      return labelled_words(read_labels(file), sound, request_.list.words, pronouncer_);
-    } catch (const Error&) {
-      std::throw_with_nested(Error{fmt::format("using the labels '{}'", file.string())});
-    }
-  }
-
-  [[nodiscard]] std::optional<std::vector<std::string>> text_of(const fs::path& file) const {
-    const auto name = file.stem().string();
-    if (const auto given = request_.texts.find(name); given != request_.texts.end()) {
-      return given->second;
-    }
-    auto beside = file;
-    beside.replace_extension(".txt");
-    for (const auto& text : {beside, kept_text(name)}) {
-      std::error_code ignored;
-      if (fs::exists(text, ignored)) return read_text(text);
-    }
-    return std::nullopt;
-  }
-
-  [[nodiscard]] fs::path kept_text(const std::string& name) const {
-    return request_.folder / "labels" / (name + ".txt");
-  }
-
-  void keep_text(const std::string& name, const std::vector<std::string>& words) const {
-    write_file(kept_text(name), fmt::format("{}\n", fmt::join(words, " ")));
   }
 
   void tell_of_others(const fs::path& file, const SaidWords& said) {
@@ -243,6 +205,19 @@ class Builder {
     return recording;
   }
 
+  /// Labels that a hand has made do not follow when the recording is another one.
+  void tell_of_change(const Recording& recording, const fs::path& labels) {
+    const auto* const before = earlier_recording(recording.file);
+    if (before == nullptr || before->sha256 == recording.sha256) return;
+    find(Severity::Warning,
+         request_.folder / recording.file,
+         "it is not the recording from which the corpus was built (its SHA-256 is another)",
+         labels.empty() ? "look at its items again"
+                        : fmt::format("its labels '{}' were made for the one before: look whether "
+                                      "they fit, or remove them to have them made anew",
+                                      labels.string()));
+  }
+
   /// Cuts off in place what lossy decoding has pushed beyond full scale: Praat reads no floats, and
   /// an hour of sound is not copied for that.
   void write_sound(const std::string& name, Clip& sound) const {
@@ -253,10 +228,6 @@ class Builder {
     write_wav(folder / (name + ".wav"), sound, SampleFormat::Pcm24);
   }
 
-  void keep_labels(const std::string& name, const SaidWords& said, Duration length) {
-    if (!labels_.edited(name)) labels_.write(name, labels_of(said, length));
-  }
-
   void assemble() {
     auto& corpus = report_.corpus;
     corpus.folder = request_.folder;
@@ -264,7 +235,7 @@ class Builder {
     corpus.name = request_.name.value_or(earlier_.name.empty() ? folder_name : earlier_.name);
     corpus.description = request_.description.value_or(earlier_.description);
     keep_earlier(corpus);
-    doubt_levels();
+    doubt_levels(built_);
     for (auto& [recording, items, levels, running] : built_) {
       for (auto& item : items) {
         item.recording = corpus.recordings.size();
@@ -273,7 +244,8 @@ class Builder {
       corpus.recordings.push_back(std::move(recording));
     }
     name_items(corpus);
-    keep_verdicts(corpus);
+    keep_verdicts(corpus, earlier_);
+    tell_of_lost(corpus);
     tell_of_missing(corpus);
   }
 
@@ -293,62 +265,20 @@ class Builder {
     }
   }
 
-  void doubt_levels() {
-    std::map<std::string, std::vector<double>> of_talker;
-    for (const auto& built : built_) {
-      for (const auto level : built.levels) {
-        if (std::isfinite(level.count()))
-          of_talker[built.recording.talker].push_back(level.count());
-      }
-    }
-    for (auto& [talker, levels] : of_talker) {
-      std::ranges::nth_element(levels,
-                               levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2));
-    }
-    for (auto& built : built_) {
-      // Sentences end weaker than they begin.
-      if (built.running) continue;
-      for (std::size_t i = 0; i < built.items.size(); ++i) {
-        const auto& levels = of_talker[built.recording.talker];
-        if (levels.empty()) continue;
-        const double difference = built.levels[i].count() - levels[levels.size() / 2];
-        if (std::abs(difference) <= kLevelRange) continue;
-        auto& doubt = built.items[i].doubt;
-        doubt += fmt::format("{}it is {:.0f} dB {} than the talker's other words",
-                             doubt.empty() ? "" : "; ",
-                             std::abs(difference),
-                             difference > 0 ? "louder" : "weaker");
-      }
-    }
-  }
-
-  static void name_items(Corpus& corpus) {
-    std::set<std::string> used;
-    for (auto& item : corpus.items) {
-      auto name = item.word;
-      for (int number = 2; used.contains(name); ++number) {
-        name = fmt::format("{}-{}", item.word, number);
-      }
-      used.insert(name);
-      item.name = std::move(name);
-    }
-  }
-
-  /// What somebody has accepted stays accepted as long as it is the same.
-  void keep_verdicts(Corpus& corpus) const {
-    const auto near = [](Duration one, Duration other) {
-      return std::chrono::abs(one - other) < std::chrono::milliseconds{1};
-    };
-    for (auto& item : corpus.items) {
-      const auto& recording = corpus.recordings[item.recording];
-      for (const auto& before : earlier_.items) {
-        const bool is_same = before.word == item.word &&
-                             earlier_.recordings[before.recording].sha256 == recording.sha256 &&
-                             near(before.start, item.start) && near(before.end, item.end) &&
-                             pronunciation_of(before) == pronunciation_of(item);
-        if (is_same && before.doubt.empty()) item.doubt.clear();
-      }
-    }
+  /// Words that the corpus had and has no longer, as when a label was mistyped.
+  void tell_of_lost(const Corpus& corpus) {
+    std::set<std::string_view> lost;
+    for (const auto& item : earlier_.items) lost.insert(item.word);
+    for (const auto& item : corpus.items) lost.erase(item.word);
+    std::erase_if(lost, [&](std::string_view word) { return !pronouncer_.is_listed(word); });
+    if (lost.empty()) return;
+    find(Severity::Warning,
+         request_.folder / kManifestName,
+         fmt::format("{} that the corpus had {} gone: {}",
+                     counted(lost.size(), "word"),
+                     lost.size() == 1 ? "is" : "are",
+                     fmt::join(lost, ", ")),
+         "if that is not meant, look at the labels of their recordings");
   }
 
   void tell_of_missing(const Corpus& corpus) {
@@ -372,6 +302,7 @@ class Builder {
   const Progress& progress_;
   Pronouncer pronouncer_;
   CorpusLabels labels_;
+  RecordingReader reader_;
   Corpus earlier_;
   std::vector<BuiltRecording> built_;
   bool by_list_ = false;

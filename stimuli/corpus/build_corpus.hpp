@@ -1,14 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "stimuli/base/diagnostic.hpp"
 #include "stimuli/corpus/corpus.hpp"
-#include "stimuli/corpus/hear_list.hpp"
+#include "stimuli/corpus/recording_words.hpp"
 #include "stimuli/words/word_list.hpp"
 
 namespace bimodal {
@@ -19,8 +18,7 @@ struct BuildRequest {
   std::filesystem::path folder;
   std::vector<std::filesystem::path> recordings;  ///< empty: those that the folder has already
   WordList list;                                  ///< which words become items
-  /// What is said in running speech, by the recording's name without folder and ending.
-  std::map<std::string, std::vector<std::string>> texts;
+  Texts texts;                                    ///< what is said in running speech
   std::optional<std::string> talker;
   std::optional<std::string> licence;
   std::optional<std::string> name;
@@ -47,10 +45,8 @@ struct BuildReport {
 ///   labels/written.json  SHA-256 of the TextGrids as they were written
 ///   corpus.json          the manifest
 ///
-/// What is said where comes from the first of: labels/NAME.TextGrid in the folder, if somebody has
-/// changed it (it is never overwritten then); NAME.TextGrid, .lab or .align beside the recording;
-/// the text given, or NAME.txt beside the recording or in labels/ (running speech, aligned whole);
-/// otherwise the list, read aloud word by word (hear_list).
+/// What is said where, RecordingReader finds; labels/NAME.TextGrid is never overwritten once
+/// somebody has changed it.
 ///
 /// Recordings and items of an earlier manifest that are not built again are kept, and so is the
 /// verdict on an item that comes out the same as before. Words that stand alone

@@ -3,7 +3,7 @@
 #include <system_error>
 #include <variant>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "stimuli/base/digest.hpp"
@@ -32,7 +32,6 @@ void make_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 CorpusLabels::CorpusLabels(const std::filesystem::path& corpus) : folder_{corpus / "labels"} {
-  make_folder(folder_);
   const auto file = folder_ / kWritten;
   if (obstacle(file)) return;
   const auto parsed = parse_json(read_file(file));
@@ -47,6 +46,10 @@ std::filesystem::path CorpusLabels::file_of(const std::string& recording) const 
   return folder_ / (recording + ".TextGrid");
 }
 
+std::filesystem::path CorpusLabels::text_file_of(const std::string& recording) const {
+  return folder_ / (recording + ".txt");
+}
+
 bool CorpusLabels::edited(const std::string& recording) const {
   const auto file = file_of(recording);
   std::error_code ignored;
@@ -56,10 +59,16 @@ bool CorpusLabels::edited(const std::string& recording) const {
 }
 
 void CorpusLabels::write(const std::string& recording, const Labels& labels) {
+  make_folder(folder_);
   const auto file = file_of(recording);
   write_labels(file, labels);
   written_[file.filename().string()] = sha256_of_file(file);
   write_file(folder_ / kWritten, nlohmann::json(written_).dump(1) + "\n");
+}
+
+void CorpusLabels::write_text(const std::string& recording, std::span<const std::string> words) {
+  make_folder(folder_);
+  write_file(text_file_of(recording), fmt::format("{}\n", fmt::join(words, " ")));
 }
 
 std::string take_media(const std::filesystem::path& recording,

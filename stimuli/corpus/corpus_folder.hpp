@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 
 #include "stimuli/labels/labels.hpp"
@@ -12,16 +13,21 @@ namespace bimodal {
 class CorpusLabels {
  public:
   /// Reads labels/written.json, if there is one; a damaged one counts as none, so that every label
-  /// file is taken for the hand's. Makes the folder.
+  /// file is taken for the hand's. The folder is made when something is written.
   explicit CorpusLabels(const std::filesystem::path& corpus);
 
   [[nodiscard]] std::filesystem::path file_of(const std::string& recording) const;
+
+  /// What is said in a recording of running speech.
+  [[nodiscard]] std::filesystem::path text_file_of(const std::string& recording) const;
 
   /// Whether there are labels that are not the ones that we wrote.
   [[nodiscard]] bool edited(const std::string& recording) const;
 
   /// Writes the labels of a recording and notes their digest. Precondition: not edited.
   void write(const std::string& recording, const Labels& labels);
+
+  void write_text(const std::string& recording, std::span<const std::string> words);
 
  private:
   std::filesystem::path folder_;

@@ -35,9 +35,8 @@ SaidWord align_placed(Aligner& aligner, const Clip& sound, const PlacedWord& pla
 
 SaidWords hear_text(const Clip& sound, std::span<const SpokenWord> text) {
   Aligner aligner;
-  SaidWords said{.words = said_words(aligner.align(sound, text), Duration{}, true),
-                 .running = true};
-  return said;
+  const bool running = text.size() > 1;
+  return {.words = said_words(aligner.align(sound, text), Duration{}, running), .running = running};
 }
 
 SaidWords hear_placed(const Clip& sound, std::span<const PlacedWord> words) {

@@ -9,7 +9,7 @@
 namespace bimodal {
 
 /// Where each word of a known text stands in a recording of running speech (Aligner, all words at
-/// once). Throws Error as Aligner::align does.
+/// once); a text of one word stands alone. Throws Error as Aligner::align does.
 [[nodiscard]] SaidWords hear_text(const Clip& sound, std::span<const SpokenWord> text);
 
 /// A word and where somebody says that it stands.

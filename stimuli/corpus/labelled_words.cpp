@@ -1,12 +1,13 @@
 #include "stimuli/corpus/labelled_words.hpp"
 
 #include <algorithm>
+#include <optional>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "stimuli/base/error.hpp"
 #include "stimuli/corpus/hear_text.hpp"
-#include "stimuli/corpus/word_doubts.hpp"
+#include "stimuli/corpus/word_list_of.hpp"
 
 namespace bimodal {
 
@@ -16,6 +17,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration kForgiven = 100ms;
 constexpr Duration kTouching = 60ms;
+constexpr Duration kSameEdge = 5ms;
 
 double seconds(Duration duration) {
   return std::chrono::duration<double>{duration}.count();
@@ -29,37 +31,112 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-void trim_rests(std::vector<TimedPhone>& phones) {
-  const auto is_rest = [](const TimedPhone& timed) {
-    return timed.phone == Phone::Rest || timed.duration <= Duration{};
-  };
-  while (!phones.empty() && is_rest(phones.back())) phones.pop_back();
-  phones.erase(phones.begin(), std::ranges::find_if_not(phones, is_rest));
-}
-
-std::vector<TimedPhone> phones_within(const Utterance& utterance, const Label& label) {
-  std::vector<TimedPhone> phones;
-  for (const auto& timed : utterance.phones) {
-    const auto middle = timed.start + timed.duration / 2;
-    if (middle >= label.start && middle < label.end) phones.push_back(timed);
+/// The word's index under which most of a phone lies; absent if it lies under none.
+std::optional<std::size_t> word_over(const TimedPhone& timed, std::span<const Label> words) {
+  std::optional<std::size_t> most;
+  Duration longest{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const auto common = std::min(words[i].end, timed.end()) - std::max(words[i].start, timed.start);
+    if (common <= longest) continue;
+    longest = common;
+    most = i;
   }
-  trim_rests(phones);
-  return phones;
+  return most;
 }
 
-SaidWords as_they_stand(const Tier& words, const Tier& phones, Duration length) {
+/// Which of a recording's phones are a word's.
+struct PhonesOfWord {
+  std::size_t first = 0;
+  std::size_t end = 0;  ///< one past the last
+
+  [[nodiscard]] bool empty() const { return first == end; }
+};
+
+std::vector<PhonesOfWord> share_out(std::span<const TimedPhone> phones,
+                                    std::span<const Label> words) {
+  std::vector<PhonesOfWord> shares(words.size());
+  for (std::size_t i = 0; i < phones.size(); ++i) {
+    if (phones[i].phone == Phone::Rest || phones[i].duration <= Duration{}) continue;
+    const auto word = word_over(phones[i], words);
+    if (!word) continue;
+    auto& share = shares[*word];
+    if (share.empty()) share.first = i;
+    share.end = i + 1;
+  }
+  return shares;
+}
+
+std::string place(std::string_view symbol, Duration start, Duration end) {
+  return fmt::format("{} ({:.3f} to {:.3f} s)", symbol, seconds(start), seconds(end));
+}
+
+/// Where the tiers of words and of phones disagree about a word.
+std::vector<std::string> disagreements(const SaidWord& word,
+                                       const PhonesOfWord& share,
+                                       std::span<const TimedPhone> phones,
+                                       std::span<const Label> words,
+                                       const Label& label) {
+  std::vector<std::string> doubts;
+  const auto differ = [](Duration one, Duration other) {
+    return std::chrono::abs(one - other) > kSameEdge;
+  };
+  if (differ(word.start(), label.start) || differ(word.end(), label.end)) {
+    doubts.push_back(fmt::format(
+        "its label is {}, its phones are {:.3f} to {:.3f} s: these count, make both tiers agree",
+        place(fmt::format("\"{}\"", label.text), label.start, label.end),
+        seconds(word.start()),
+        seconds(word.end())));
+  }
+  const auto doubt_stray = [&](std::size_t index) {
+    if (index >= phones.size()) return;
+    const auto& timed = phones[index];
+    if (timed.phone == Phone::Rest || word_over(timed, words)) return;
+    doubts.push_back(fmt::format("the phone {} beside it lies under no word, so it is left out",
+                                 place(symbol(timed.phone), timed.start, timed.end())));
+  };
+  if (share.first > 0) doubt_stray(share.first - 1);
+  doubt_stray(share.end);
+  return doubts;
+}
+
+std::optional<std::string> other_phones_than_listed(const SaidWord& word,
+                                                    std::span<const Word> list) {
+  const auto listed = std::ranges::find(list, word.word, &Word::spelling);
+  if (listed == list.end()) return std::nullopt;
+  Pronunciation spoken;
+  for (const auto& timed : word.phones) {
+    if (timed.phone != Phone::Rest) spoken.push_back(timed.phone);
+  }
+  if (spoken == listed->phones) return std::nullopt;
+  return fmt::format("its phones are {}, those of the list {}",
+                     fmt::join(symbols_of(spoken), " "),
+                     fmt::join(symbols_of(listed->phones), " "));
+}
+
+SaidWords as_they_stand(const Tier& words,
+                        const Tier& phones,
+                        Duration length,
+                        std::span<const Word> list) {
   const auto utterance = utterance_of(phones, length);
+  std::vector<Label> labels;
+  std::ranges::copy_if(words.labels, std::back_inserter(labels), [](const Label& label) {
+    return !is_silence(label.text);
+  });
+  const auto shares = share_out(utterance.phones, labels);
   SaidWords said;
-  for (const auto& label : words.labels) {
-    if (is_silence(label.text)) continue;
-    SaidWord word{.word = lower_case(label.text), .phones = phones_within(utterance, label)};
-    if (word.phones.empty()) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (shares[i].empty()) {
       throw Error{
           fmt::format("the word \"{}\" at {:.3f} s has no phones under it; label them, or "
                       "remove the tier of phones to have all of them found",
-                      label.text,
-                      seconds(label.start))};
+                      labels[i].text,
+                      seconds(labels[i].start))};
     }
+    const auto own =
+        std::span{utterance.phones}.subspan(shares[i].first, shares[i].end - shares[i].first);
+    SaidWord word{.word = lower_case(labels[i].text), .phones = {own.begin(), own.end()}};
+    word.doubts = disagreements(word, shares[i], utterance.phones, labels, labels[i]);
+    if (auto doubt = other_phones_than_listed(word, list)) word.doubts.push_back(*doubt);
     said.words.push_back(std::move(word));
   }
   return said;
@@ -156,7 +233,7 @@ SaidWords labelled_words(const Labels& labels,
   if (phones != nullptr) refuse_beyond(*phones, length);
   SaidWords said;
   if (words != nullptr && phones != nullptr) {
-    said = as_they_stand(within(*words, length), within(*phones, length), length);
+    said = as_they_stand(within(*words, length), within(*phones, length), length, list);
   } else if (words != nullptr) {
     said = phones_found(within(*words, length), sound, pronouncer);
   } else {

@@ -8,7 +8,10 @@
 namespace bimodal {
 
 /// The words of a recording that somebody has labelled; what the hand wrote is kept.
-///   words and phones   used as they stand: a word has the phones whose middle lies in it
+///   words and phones   used as they stand: a word has the phones that lie mostly in it. Where
+///                      the two disagree the phones count, and the word is doubted: edges that
+///                      differ by more than 5 ms, a phone beside it that lies under no word,
+///                      phones of a word of the list that are not the list's
 ///   words only         their edges are kept, the phones are found within; a word that nobody knows
 ///                      how to say is among `others`
 ///   phones only        stretches between rests that are a word of the list to the phone; any other

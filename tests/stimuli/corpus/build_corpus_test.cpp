@@ -258,6 +258,78 @@ TEST_F(BuildCorpus, UsesWordsAndPhonesAsTheyStand) {
   EXPECT_EQ(corpus.items[0].phones[1], (TimedPhone{Phone::AY, 450ms, 150ms}));
 }
 
+TEST_F(BuildCorpus, DoubtsAWordWhereItsTiersDisagree) {
+  read_aloud({"stone"}, "reading.wav");
+  const auto doubt_of = [&](const Label& word, const Label& last_phone) {
+    std::filesystem::remove_all(folder_ / "corpus");
+    const Labels labels{
+        .end = 1s,
+        .tiers = {{"words", {word}},
+                  {"phones", {{400ms, 450ms, "l"}, {450ms, 600ms, "ay"}, last_phone}}}};
+    write_labels(folder_ / "reading.TextGrid", labels);
+    const auto corpus = build_corpus(request("reading.wav", {"like", "ship"})).corpus;
+    EXPECT_EQ(corpus.items.size(), 1U);
+    EXPECT_GE(corpus.items.front().phones.size(), 2U);
+    return corpus.items.front().doubt;
+  };
+  const Label last{600ms, 700ms, "k"};
+  EXPECT_THAT(doubt_of({400ms, 700ms, "like"}, last), IsEmpty());
+  EXPECT_THAT(doubt_of({400ms, 704ms, "like"}, last), IsEmpty());
+  EXPECT_THAT(doubt_of({380ms, 700ms, "like"}, last), HasSubstr("make both tiers agree"));
+  EXPECT_THAT(doubt_of({400ms, 600ms, "like"}, last), HasSubstr("the phone K (0.600 to 0.700 s)"));
+  EXPECT_THAT(doubt_of({400ms, 700ms, "like"}, {600ms, 900ms, "k"}),
+              HasSubstr("its phones are 0.400 to 0.900 s"));
+  EXPECT_THAT(doubt_of({400ms, 700ms, "ship"}, last),
+              HasSubstr("its phones are L AY K, those of the list SH IH P"));
+}
+
+TEST_F(BuildCorpus, NamesTheWordsThatAreGone) {
+  const std::vector<std::string> words{"stone", "like"};
+  read_aloud(words, "reading.wav");
+  const auto wanted = request("reading.wav", words);
+  EXPECT_THAT(build_corpus(wanted).findings, IsEmpty());
+  const auto file = folder_ / "corpus" / "labels" / "reading.TextGrid";
+  auto labels = read_labels(file);
+  for (auto& tier : labels.tiers) {
+    for (auto& label : tier.labels) {
+      if (label.text == "stone") label.text = "stine";
+    }
+  }
+  write_labels(file, labels);
+  EXPECT_THAT(all_of(build_corpus(wanted).findings),
+              HasSubstr("1 word that the corpus had is gone: stone"));
+}
+
+TEST_F(BuildCorpus, TellsThatTheRecordingHasChanged) {
+  read_aloud({"stone", "like"}, "reading.wav");
+  auto wanted = request("reading.wav", {"stone", "like"});
+  static_cast<void>(build_corpus(wanted));
+  read_aloud({"like", "stone"}, "other.wav");
+  std::filesystem::remove(folder_ / "corpus" / "media" / "reading.wav");
+  std::filesystem::copy_file(folder_ / "other.wav", folder_ / "corpus" / "media" / "reading.wav");
+  wanted.recordings.clear();
+  EXPECT_THAT(all_of(build_corpus(wanted).findings), HasSubstr("it is not the recording"));
+  EXPECT_THAT(all_of(build_corpus(wanted).findings),
+              testing::Not(HasSubstr("is not the recording")));
+}
+
+TEST_F(BuildCorpus, JudgesTheOneWordOfATakeAsAWordThatStandsAlone) {
+  read_aloud({"stone"}, "take.wav");
+  auto wanted = request("take.wav", {"stone", "ship"});
+  wanted.texts["take"] = {"ship"};
+  wanted.texts["tkae"] = {"ship"};
+  const auto report = build_corpus(wanted);
+  ASSERT_EQ(report.corpus.items.size(), 1U);
+  EXPECT_THAT(report.corpus.items.front().doubt, HasSubstr("hardly fits"));
+  EXPECT_THAT(all_of(report.findings), HasSubstr("'tkae', but no such recording"));
+}
+
+TEST_F(BuildCorpus, LeavesNoFolderIfNothingCouldBeUsed) {
+  folder_.write("text.wav", "this is no sound");
+  EXPECT_EQ(build_corpus(request("text.wav", {"stone"})).corpus.recordings.size(), 0U);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "corpus"));
+}
+
 TEST_F(BuildCorpus, TakesListedWordsOutOfKnownRunningSpeech) {
   const auto said = read_aloud({"place", "white", "with", "spoon"}, "reading.wav");
   auto wanted = request("reading.wav", {"white", "spoon", "queen"});
