@@ -109,6 +109,14 @@ void caution_trials(Dataset& dataset) {
                     "underflow); included. Leave out with --exclude-flagged.",
                     counted(flagged, "analysed trial is", "analysed trials are")));
   }
+  const auto dubbed = std::ranges::count_if(
+      dataset.trials, [](const Trial& trial) { return trial.visual_word.has_value(); });
+  if (dubbed > 0) {
+    dataset.warnings.push_back(
+        fmt::format("{} dubbed: another word was seen than heard. Answers are scored by the word "
+                    "heard; visual_word in trials.csv is the one seen.",
+                    counted(dubbed, "analysed trial is", "analysed trials are")));
+  }
   const auto cut = std::ranges::count_if(dataset.trials, [](const Trial& trial) {
     return trial.timed_out && !trial.response.empty();
   });

@@ -38,10 +38,4 @@ struct Cast {
                         const CastOptions& options,
                         Findings& findings);
 
-/// Notes every word that a corpus should say and does not.
-void judge_repertoire(const Cast& cast,
-                      const std::vector<Word>& words,
-                      const std::vector<Word>& practice,
-                      Findings& findings);
-
 }  // namespace bimodal::protocols

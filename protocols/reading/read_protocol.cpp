@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "protocols/reading/find_words.hpp"
+#include "protocols/reading/judge_repertoire.hpp"
 #include "protocols/reading/meaning.hpp"
 #include "protocols/reading/structure.hpp"
 #include "stimuli/base/digest.hpp"

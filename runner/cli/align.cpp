@@ -9,10 +9,10 @@
 
 #include "runner/cli/verbs.hpp"
 #include "stimuli/alignment/aligner.hpp"
-#include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/labels/label_file.hpp"
+#include "stimuli/video/sound_track.hpp"
 #include "stimuli/words/dictionary.hpp"
 
 namespace bimodal::runner {
@@ -136,7 +136,7 @@ std::size_t warn_of_doubtful_words(const Alignment& found, const AlignOptions& o
 }
 
 ExitCode align(const AlignOptions& options) {
-  const auto sound = read_sound(options.sound, Channels::MixDown);
+  const auto sound = read_sound_track(options.sound);
   const auto words =
       options.text.empty() ? std::vector{word_of_phones(options)} : words_of(options);
   const auto found = Aligner{}.align(sound, words);
@@ -170,10 +170,12 @@ void add_align(CLI::App& app, Verb& chosen) {
       "errors.\n\n"
       "Examples:\n"
       "  bimodal align stew.wav --text stew\n"
-      "  bimodal align bbaf2n.wav --text \"bin blue at f two now\" -o bbaf2n.TextGrid\n"
+      "  bimodal align bbaf2n.mpg --text \"bin blue at f two now\" -o bbaf2n.TextGrid\n"
       "  bimodal align blick.flac --phones \"B L IH K\" -o blick.lab");
   auto options = std::make_shared<AlignOptions>();
-  verb->add_option("SOUND", options->sound, "WAV or FLAC, up to ten minutes")->required();
+  verb->add_option(
+          "SOUND", options->sound, "a sound file, or a video with sound; up to ten minutes")
+      ->required();
   auto* const what = verb->add_option_group("what is said");
   what->add_option("--text", options->text, "the words, to be looked up in the dictionary");
   what->add_option("--phones", options->phones, "the phones of one word, in ARPAbet");

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/protocol_file.hpp"
@@ -30,13 +30,52 @@ int sessions_of(const protocols::Protocol& protocol) {
   return protocol.assignment == Assignment::Once ? 1 : static_cast<int>(protocol.conditions.size());
 }
 
-/// " 3 times as fast reversed gated", as far as it applies.
+/// "3 times as fast, reversed, gated", as far as it applies.
 std::string manner_text(const protocols::Manner& manner) {
-  std::string text;
-  if (manner.rate != 1.0) text += fmt::format(" {:g} times as fast", manner.rate);
-  if (manner.reversed) text += " reversed";
-  if (manner.gate) text += " gated";
-  return text;
+  std::vector<std::string> parts;
+  if (manner.rate != 1.0) parts.push_back(fmt::format("{:g} times as fast", manner.rate));
+  if (manner.reversed) parts.emplace_back("reversed");
+  if (manner.gate) parts.emplace_back("gated");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// How the picture is changed, as far as it is.
+std::string look_text(const protocols::Look& look) {
+  std::vector<std::string> parts;
+  if (!look.like.empty()) parts.push_back(fmt::format("like {}", look.like));
+  if (look.frame_rate) parts.push_back(fmt::format("{:g} frames/s", look.frame_rate->count()));
+  if (look.lines) parts.push_back(fmt::format("{} lines", *look.lines));
+  if (look.height) parts.push_back(fmt::format("{} pixels high", *look.height));
+  if (look.blur_px > 0.0) parts.push_back(fmt::format("blurred by {:g} pixels", look.blur_px));
+  if (look.background) parts.push_back(fmt::format("background #{:06x}", *look.background));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void print_details(const protocols::Condition& condition) {
+  const auto print_line = [](std::string_view what, std::string_view text) {
+    if (!text.empty()) fmt::print("               {:<14} {} {}\n", "", what, text);
+  };
+  print_line("presented", manner_text(condition.manner));
+  print_line("looks", look_text(condition.look));
+  if (condition.av_offset) {
+    print_line("sound after picture",
+               fmt::format("{:+g} ms", 1000.0 * seconds(*condition.av_offset)));
+  }
+}
+
+void print_dubbed(const ReadProtocol& read) {
+  std::vector<std::string> dubbed;
+  for (const auto& word : read.words.words) {
+    if (word.seen) dubbed.push_back(shown_name(word));
+  }
+  constexpr std::size_t kShown = 6;
+  const auto count = dubbed.size();
+  if (count == 0) return;
+  if (count > kShown) dubbed.resize(kShown);
+  fmt::print("  dubbed       {}: {}{}\n",
+             counted(count, "word"),
+             fmt::join(dubbed, ", "),
+             count > kShown ? ", ..." : "");
 }
 
 void print_summary(const ReadProtocol& read, std::size_t trials) {
@@ -50,7 +89,7 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
              read.words.name,
              read.practice.size());
   for (const auto& condition : protocol.conditions) {
-    fmt::print("  condition    {:<14} hears {:<14} sees {:<14} {}{}\n",
+    fmt::print("  condition    {:<14} hears {:<14} sees {:<14} {}\n",
                condition.name,
                condition.auditory_talker.value_or("nothing"),
                condition.visual_talker.value_or("no face"),
@@ -58,9 +97,10 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
                                            condition.snr->count(),
                                            protocol.sound.noise.band_low.count(),
                                            protocol.sound.noise.band_high.count())
-                             : std::string{},
-               manner_text(condition.manner));
+                             : std::string{});
+    print_details(condition);
   }
+  print_dubbed(read);
   fmt::print("  assignment   {}\n",
              protocol.assignment == Assignment::Once
                  ? "once: each word in one condition per participant"

@@ -41,14 +41,23 @@ std::filesystem::path word_list_file(const std::string& named) {
   }
 }
 
+/// The words of a text, each once, as the dictionary says them.
 WordList words_of_plain_text(const std::filesystem::path& file) {
   WordList list{.name = file.stem().string()};
   Pronouncer pronouncer{{}};
+  std::vector<std::string> unknown;
   for (const auto& word : read_text(file)) {
-    const bool is_new = std::ranges::find(list.words, word, &Word::spelling) == list.words.end();
-    if (is_new) list.words.push_back({word, pronouncer.pronounce(word).pronunciations.front()});
+    if (std::ranges::find(list.words, word, &Word::spelling) != list.words.end()) continue;
+    const auto spoken = pronouncer.find(word);
+    if (!spoken) unknown.push_back(word);
+    list.words.push_back({word, spoken ? spoken->pronunciations.front() : Pronunciation{}});
   }
-  return list;
+  if (unknown.empty()) return list;
+  throw Error{
+      fmt::format("cannot use the words of '{}': the pronouncing dictionary does not have \"{}\"; "
+                  "correct the spelling, or write a word list with phones (.json)",
+                  file.string(),
+                  fmt::join(unknown, "\", \""))};
 }
 
 }  // namespace

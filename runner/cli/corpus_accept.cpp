@@ -32,7 +32,11 @@ ExitCode accept(const AcceptOptions& options) {
   for (auto& item : corpus.items) {
     const bool meant =
         options.all || std::ranges::find(options.items, item.name) != options.items.end();
-    if (!meant || item.doubt.empty()) continue;
+    if (!meant) continue;
+    if (item.doubt.empty()) {
+      if (!options.all) fmt::print("{}: has no doubt, so there is nothing to accept\n", item.name);
+      continue;
+    }
     fmt::print("{}: accepted although {}\n", item.name, item.doubt);
     item.doubt.clear();
     ++accepted;

@@ -60,10 +60,14 @@ ExitCode build(BuildOptions options) {
   }
   const auto doubtful = static_cast<std::size_t>(
       std::ranges::count_if(items, [](const CorpusItem& item) { return !item.doubt.empty(); }));
-  fmt::print("{}: {} from {}\n",
-             (options.request.folder / kManifestName).string(),
-             counted(items.size(), "item"),
-             counted(report.corpus.recordings.size(), "recording"));
+  const auto unused = static_cast<std::size_t>(
+      std::ranges::count(report.findings, Severity::Error, &Diagnostic::severity));
+  fmt::print(
+      "{}: {} from {}{}\n",
+      (options.request.folder / kManifestName).string(),
+      counted(items.size(), "item"),
+      counted(report.corpus.recordings.size(), "recording"),
+      unused == 0 ? "" : fmt::format("; {} could not be used", counted(unused, "recording")));
   if (doubtful > 0) {
     fmt::print("{} to be looked at before {} used:\n",
                counted(doubtful, "item"),

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/cli/corpus_verbs.hpp"
+#include "runner/cli/text_table.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/csv.hpp"
 #include "stimuli/corpus/check_corpus.hpp"
@@ -77,14 +78,8 @@ void print_recording(const Recording& recording, const RecordingCheck& check) {
 }
 
 void print_items(const Corpus& corpus, const CorpusCheck& check) {
-  fmt::print("{:<14} {:>7} {:>15} {:>15} {:>8} {:>7}  {}\n",
-             "item",
-             "dB FS",
-             "before ms, dB",
-             "after ms, dB",
-             "clipped",
-             "frames",
-             "to look at");
+  std::vector<std::vector<std::string>> rows{
+      {"item", "dB FS", "before ms, dB", "after ms, dB", "clipped", "frames", "to look at"}};
   for (std::size_t i = 0; i < corpus.items.size(); ++i) {
     const auto& item = check.items[i];
     auto notes = item.errors;
@@ -95,15 +90,15 @@ void print_items(const Corpus& corpus, const CorpusCheck& check) {
                          milliseconds(length),
                          item.sound ? level_text(relative(*item.sound, *item.sound.*level)) : "");
     };
-    fmt::print("{:<14} {:>7} {:>15} {:>15} {:>8} {:>7}  {}\n",
-               corpus.items[i].name,
-               item.sound ? level_text(item.sound->speech.count()) : "",
-               margin(item.before, &ItemSound::before),
-               margin(item.after, &ItemSound::after),
-               item.sound ? std::to_string(item.sound->clipped) : "",
-               item.frames ? std::to_string(item.frames->count) : "",
-               fmt::join(notes, "; "));
+    rows.push_back({corpus.items[i].name,
+                    item.sound ? level_text(item.sound->speech.count()) : "",
+                    margin(item.before, &ItemSound::before),
+                    margin(item.after, &ItemSound::after),
+                    item.sound ? std::to_string(item.sound->clipped) : "",
+                    item.frames ? std::to_string(item.frames->count) : "",
+                    fmt::format("{}", fmt::join(notes, "; "))});
   }
+  print_text_table(rows, "lrrrrrl");
 }
 
 void print_table(const Corpus& corpus, const CorpusCheck& check) {

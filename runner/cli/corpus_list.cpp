@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/cli/corpus_verbs.hpp"
+#include "runner/cli/text_table.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/csv.hpp"
 #include "stimuli/base/draft.hpp"
@@ -47,27 +48,20 @@ void print_words(const Corpus& corpus) {
 }
 
 void print_table(const Corpus& corpus) {
-  fmt::print("{:<14} {:<14} {:<20} {:<10} {:>8} {:>7}  {:<24} {}\n",
-             "item",
-             "word",
-             "phones",
-             "talker",
-             "start s",
-             "ms",
-             "recording",
-             "doubt");
+  std::vector<std::vector<std::string>> rows{
+      {"item", "word", "phones", "talker", "start s", "ms", "recording", "doubt"}};
   for (const auto& item : corpus.items) {
     const auto& recording = corpus.recordings[item.recording];
-    fmt::print("{:<14} {:<14} {:<20} {:<10} {:>8.2f} {:>7.0f}  {:<24} {}\n",
-               item.name,
-               item.word,
-               spell(pronunciation_of(item)),
-               recording.talker,
-               seconds(item.start),
-               1000.0 * seconds(item.end - item.start),
-               recording.file,
-               item.doubt);
+    rows.push_back({item.name,
+                    item.word,
+                    spell(pronunciation_of(item)),
+                    recording.talker,
+                    fmt::format("{:.2f}", seconds(item.start)),
+                    fmt::format("{:.0f}", 1000.0 * seconds(item.end - item.start)),
+                    recording.file,
+                    item.doubt});
   }
+  print_text_table(rows, "llllrrll");
 }
 
 void write_list(const Corpus& corpus, const std::string& file) {

@@ -91,6 +91,7 @@ class Checker {
     } catch (const Error& error) {
       found.errors.push_back(describe(error));
     }
+    neighboured_ = 0;
     for (const auto item : items) {
       check_item(item, file, found, sound);
       if (progress_) {
@@ -98,6 +99,12 @@ class Checker {
                   static_cast<double>(++done_) / static_cast<double>(corpus_.items.size()));
       }
     }
+    if (neighboured_ == 0) return;
+    found.findings.push_back(
+        fmt::format("{} of its {} a neighbouring word within {:.0f} ms, which is made silent",
+                    neighboured_,
+                    items.size() == 1 ? "1 item has" : fmt::format("{} items have", items.size()),
+                    milliseconds(kLeastMargin)));
   }
 
   static void judge_tracks(RecordingCheck& found) {
@@ -167,12 +174,7 @@ class Checker {
         found, found.before, speech.start - clear.start, found.sound->before, "before");
     const bool after =
         judge_margin(found, found.after, clear.end - speech.end, found.sound->after, "after");
-    if (before || after) {
-      found.findings.push_back(fmt::format("{} a neighbouring word",
-                                           before && after ? "both margins hold"
-                                           : before        ? "the margin before holds"
-                                                           : "the margin after holds"));
-    }
+    if (before || after) ++neighboured_;
   }
 
   /// Returns whether a neighbour is within the least margin.
@@ -251,6 +253,7 @@ class Checker {
   FourierTransform fourier_;
   CorpusCheck check_;
   std::size_t done_ = 0;
+  std::size_t neighboured_ = 0;  ///< items of the recording with a neighbour in the least margin
 };
 
 template <typename Count>

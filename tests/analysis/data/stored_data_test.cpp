@@ -123,6 +123,7 @@ TEST(GatherTrials, WarnsOfWhatMakesNumbersLessThanTheySeem) {
   simulated.trials[1].plan.snr_db = -4.0;
   simulated.trials[1].trial.flagged = true;
   simulated.trials[1].trial.response.timed_out = true;
+  simulated.trials[1].plan.visual_word = "bed";
   const std::vector files{file("a", {interrupted, simulated})};
   EXPECT_THAT(
       gather_trials(files).warnings,
@@ -133,6 +134,7 @@ TEST(GatherTrials, WarnsOfWhatMakesNumbersLessThanTheySeem) {
                   HasSubstr("participant P01 was interrupted: 1 of 414 planned trials"),
                   HasSubstr("1 trial repeats a word"),
                   HasSubstr("1 analysed trial is flagged"),
+                  HasSubstr("1 analysed trial is dubbed"),
                   HasSubstr("1 answer was cut off by the time limit")));
 }
 
