@@ -37,14 +37,6 @@ class Repertoire {
   }
 
   void tell(const std::string& pointer, Findings& findings) const {
-    if (talkers_.size() > 1) {
-      findings.warning(pointer,
-                       fmt::format("the words come from {} talkers of the corpus \"{}\": {}",
-                                   talkers_.size(),
-                                   corpus_.name,
-                                   named({talkers_.begin(), talkers_.end()})),
-                       "differences of talkers mix with those of words; give each talker a corpus");
-    }
     if (!different_.empty()) {
       findings.warning(
           pointer,
@@ -72,6 +64,17 @@ class Repertoire {
     }
   }
 
+  /// Once for a corpus, however many conditions use it.
+  void tell_of_talkers(const std::string& pointer, Findings& findings) const {
+    if (talkers_.size() < 2) return;
+    findings.warning(pointer,
+                     fmt::format("the words come from {} talkers of the corpus \"{}\": {}",
+                                 talkers_.size(),
+                                 corpus_.name,
+                                 named({talkers_.begin(), talkers_.end()})),
+                     "differences of talkers mix with those of words; give each talker a corpus");
+  }
+
  private:
   static std::string named(const std::vector<std::string>& words) {
     const auto shown = std::min(words.size(), kWordsNamed);
@@ -94,6 +97,7 @@ void judge_repertoire(const Cast& cast,
                       const std::vector<Word>& words,
                       const std::vector<Word>& practice,
                       Findings& findings) {
+  std::set<std::string_view> known;
   const auto judge = [&](const std::string& talker, const std::string& pointer, bool seen) {
     if (!is_corpus(talker)) return;
     const auto corpus = cast.corpora.find(corpus_name(talker));
@@ -109,6 +113,7 @@ void judge_repertoire(const Cast& cast,
       }
     }
     repertoire.tell(pointer, findings);
+    if (known.insert(corpus->first).second) repertoire.tell_of_talkers(pointer, findings);
   };
   for (std::size_t i = 0; i < cast.conditions.size(); ++i) {
     const auto& condition = cast.conditions[i];

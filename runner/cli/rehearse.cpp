@@ -159,7 +159,10 @@ void add_rehearse(CLI::App& app, Verb& chosen) {
       "rehearse",
       "Runs the very loop of `run` with simulated devices, in virtual time, with simulated\n"
       "observers, and stores everything, marked as simulated: to try a protocol and its analysis\n"
-      "before anybody is invited.\n\n"
+      "before anybody is invited. The observers know which phones are confused in a voice at an "
+      "S/N\n"
+      "and on a face; a rate, a gate, a reversal or a natural face does not change their "
+      "answers.\n\n"
       "Example:\n"
       "  bimodal rehearse words414 --participants 20 --seed 7 --data trial.sqlite");
   auto options = std::make_shared<RehearseOptions>();

@@ -121,7 +121,7 @@ class StripMaker {
                film.pictures.size(),
                film.picture_of_frame.size(),
                rate.count());
-    Row row{.condition = condition.name, .cells = {}, .captions = {}};
+    Row row{.condition = condition.name, .pictures = {}, .captions = {}};
     for (const auto& timed : enactment.seen.phones) {
       const auto centre = timed.start + timed.duration / 2;
       const auto number = film.picture_of_frame[frame_shown_at(layout, rate, centre)];
@@ -130,7 +130,7 @@ class StripMaker {
                               : std::string{};
       const auto ms = std::chrono::duration<double, std::milli>{centre}.count();
       fmt::print("  {:<5} {:>7.1f} ms{}\n", symbol(timed.phone), ms, source);
-      row.cells.push_back(cell_of(film, number));
+      row.pictures.push_back(scaled_picture(film, number));
       row.captions.push_back(fmt::format("{} {:.0f} ms{}", symbol(timed.phone), ms, source));
     }
     rows_.push_back(std::move(row));
@@ -139,19 +139,32 @@ class StripMaker {
   void write() const {
     if (options_.output.empty()) return;
     std::size_t columns = 0;
-    for (const auto& row : rows_) columns = std::max(columns, row.cells.size());
+    // As wide and high as the largest picture, so that none is cropped.
+    Size cell{.width = least_height() * 8 / 9, .height = least_height()};
+    for (const auto& row : rows_) {
+      columns = std::max(columns, row.pictures.size());
+      for (const auto& picture : row.pictures) {
+        if (!picture) continue;
+        cell.width = std::max(cell.width, picture->width);
+        cell.height = std::max(cell.height, picture->height);
+      }
+    }
     // Above each row the condition's name, below each picture what it shows.
-    const auto line = cell_height() + 2 * kCaptionHeight;
-    const std::int64_t scale = cell_width() < kWideCell ? 1 : 2;
-    auto sheet = blank_image(columns * cell_width(), rows_.size() * line, {24, 24, 24});
+    const auto line = cell.height + 2 * kCaptionHeight;
+    const std::int64_t scale = cell.width < kWideCell ? 1 : 2;
+    const auto ground = colour_of(read_.protocol.window.background);
+    auto sheet = blank_image(columns * cell.width, rows_.size() * line, {24, 24, 24});
     for (std::size_t y = 0; y < rows_.size(); ++y) {
       const auto top = static_cast<std::int64_t>(y * line);
       const auto pictures = top + static_cast<std::int64_t>(kCaptionHeight);
-      const auto below = pictures + static_cast<std::int64_t>(cell_height());
+      const auto below = pictures + static_cast<std::int64_t>(cell.height);
       draw_text(sheet, {4, top + 4}, rows_[y].condition, kInk, 2);
-      for (std::size_t x = 0; x < rows_[y].cells.size(); ++x) {
-        const auto left = static_cast<std::int64_t>(x * cell_width());
-        paste(sheet, {left, pictures}, rows_[y].cells[x]);
+      for (std::size_t x = 0; x < rows_[y].pictures.size(); ++x) {
+        const auto left = static_cast<std::int64_t>(x * cell.width);
+        const auto& picture = rows_[y].pictures[x];
+        paste(sheet,
+              {left, pictures},
+              make_cell(picture ? &*picture : nullptr, cell.width, cell.height, ground));
         draw_text(sheet, {left + 4, below + 4}, rows_[y].captions[x], kInk, scale);
       }
     }
@@ -162,28 +175,28 @@ class StripMaker {
  private:
   struct Row {
     std::string condition;
-    std::vector<Image> cells;
+    std::vector<std::optional<Image>> pictures;  ///< absent: nothing is seen
     std::vector<std::string> captions;
   };
 
-  [[nodiscard]] std::size_t cell_height() const {
+  struct Size {
+    std::size_t width = 0;
+    std::size_t height = 0;
+  };
+
+  [[nodiscard]] std::size_t least_height() const {
     return static_cast<std::size_t>(options_.height);
   }
 
-  [[nodiscard]] std::size_t cell_width() const { return cell_height() * 8 / 9; }
-
-  [[nodiscard]] Image cell_of(const Film& film, std::size_t number) const {
-    const auto& window = read_.protocol.window;
-    const auto ground = colour_of(window.background);
-    if (number == Film::kBlank) return make_cell(nullptr, cell_width(), cell_height(), ground);
-    // All at the scale of the window, so that sizes can be compared.
+  /// At the scale of the window, so that sizes can be compared.
+  [[nodiscard]] std::optional<Image> scaled_picture(const Film& film, std::size_t number) const {
+    if (number == Film::kBlank) return std::nullopt;
+    const auto face_height = static_cast<std::size_t>(read_.protocol.window.face_height);
     const auto scaled = [&](std::size_t pixels) {
-      return std::max<std::size_t>(
-          1, pixels * cell_height() / static_cast<std::size_t>(window.face_height));
+      return std::max<std::size_t>(1, pixels * least_height() / face_height);
     };
     const auto& picture = *film.pictures[number];
-    const auto small = resized(picture, scaled(picture.width), scaled(picture.height));
-    return make_cell(&small, cell_width(), cell_height(), ground);
+    return resized(picture, scaled(picture.width), scaled(picture.height));
   }
 
   void write_frames(const std::string& condition, const Film& film) const {
