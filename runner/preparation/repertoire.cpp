@@ -11,7 +11,6 @@
 #include "stimuli/audio/noise.hpp"
 #include "stimuli/audio/resample.hpp"
 #include "stimuli/base/error.hpp"
-#include "stimuli/video/media_file.hpp"
 
 namespace bimodal::runner {
 
@@ -57,7 +56,7 @@ Performance Repertoire::speak(const std::string& talker,
           .source = std::nullopt};
 }
 
-Performance Repertoire::play(const std::string& name, const std::string& spelling) const {
+Performance Repertoire::play(const std::string& name, const std::string& spelling) {
   const auto corpus = corpora_.find(name);
   if (corpus == corpora_.end()) throw Error{fmt::format("there is no corpus '{}'", name)};
   const auto* const item = find_item(corpus->second, spelling);
@@ -76,8 +75,8 @@ Performance Repertoire::play(const std::string& name, const std::string& spellin
                                .path = media_file(corpus->second, item->recording),
                                .span = {item->start, item->end}}};
   const auto& source = *performance.source;
-  if (examine_media(source.path).sound) {
-    performance.sound = read_sound_track(source.path, rate_, source.span);
+  if (tracks_.has_sound(source.path)) {
+    performance.sound = tracks_.read(source.path, rate_, source.span);
     if (item->clear) {
       keep_only(performance.sound,
                 {item->clear->start - item->start, item->clear->end - item->start});

@@ -9,7 +9,7 @@
 #include "stimuli/audio/clip.hpp"
 #include "stimuli/corpus/corpus.hpp"
 #include "stimuli/timeline/utterance.hpp"
-#include "stimuli/video/sound_track.hpp"
+#include "stimuli/video/kept_tracks.hpp"
 #include "synth/voice/voice.hpp"
 
 namespace bimodal::runner {
@@ -57,12 +57,13 @@ class Repertoire {
   [[nodiscard]] Performance speak(const std::string& talker,
                                   const std::string& spelling,
                                   const Pronunciation& phones);
-  [[nodiscard]] Performance play(const std::string& name, const std::string& spelling) const;
+  [[nodiscard]] Performance play(const std::string& name, const std::string& spelling);
 
   Hertz rate_;
   const std::map<std::string, Corpus>& corpora_;
   std::mutex mutex_;
   std::map<std::string, synth::Voice> voices_;
+  KeptTracks tracks_;
   std::map<std::string, std::unique_ptr<Performance>> performances_;
 };
 

@@ -106,10 +106,10 @@ class Builder {
 
   void tell_of_unused_texts(const std::vector<fs::path>& files) {
     std::vector<std::string> unused;
-    for (const auto& [name, text] : request_.texts) {
+    for (const auto& given : request_.texts) {
       const bool is_used =
-          std::ranges::any_of(files, [&](const auto& file) { return file.stem() == name; });
-      if (!is_used) unused.push_back(name);
+          std::ranges::any_of(files, [&](const auto& file) { return file.stem() == given.first; });
+      if (!is_used) unused.push_back(given.first);
     }
     if (unused.empty()) return;
     report_.findings.push_back(
