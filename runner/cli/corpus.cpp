@@ -34,10 +34,10 @@ std::filesystem::path word_list_file(const std::string& named) {
   try {
     return asset("stimuli/assets/words/" + named + ".json");
   } catch (const Error&) {
-    std::throw_with_nested(Error{
+    throw Error{
         fmt::format("there is no word list '{}'; give a file (.json, or .txt with words), or the "
                     "name of a list of the project, such as monosyllables-414",
-                    named)});
+                    named)};
   }
 }
 
@@ -46,6 +46,11 @@ WordList words_of_plain_text(const std::filesystem::path& file) {
   WordList list{.name = file.stem().string()};
   Pronouncer pronouncer{{}};
   std::vector<std::string> unknown;
+  std::error_code ignored;
+  if (std::filesystem::is_empty(file, ignored)) {
+    throw Error{fmt::format("the word list '{}' is empty; write the words that are to be taken",
+                            file.string())};
+  }
   for (const auto& word : read_text(file)) {
     if (std::ranges::find(list.words, word, &Word::spelling) != list.words.end()) continue;
     const auto spoken = pronouncer.find(word);
