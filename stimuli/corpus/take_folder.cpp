@@ -1,22 +1,17 @@
 #include "stimuli/corpus/take_folder.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <set>
 #include <system_error>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
-#include "stimuli/base/json_text.hpp"
 
 namespace bimodal {
 
@@ -25,34 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kJournal = "takes.jsonl";
 constexpr const char* kTakes = "takes";
 constexpr const char* kRejected = "rejected";
 constexpr std::size_t kLongestName = 100;
 
-[[noreturn]] void refuse(const fs::path& place, std::string_view finding, std::string_view remedy) {
-  throw Error{fmt::format("cannot keep takes in '{}': {}; {}", place.string(), finding, remedy)};
-}
-
-[[noreturn]] void refuse_to_write(const fs::path& place) {
-  refuse(place,
-         std::error_code{errno, std::generic_category()}.message(),
-         "check the folder, its permissions and free space");
-}
-
-/// Waits until the disk knows which files a folder has.
-void sync_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) refuse_to_write(folder);
-  const int outcome = ::fsync(descriptor);
-  ::close(descriptor);
-  if (outcome != 0) refuse_to_write(folder);
-}
-
 void make_private_folder(const fs::path& folder) {
   if (fs::is_directory(folder)) return;
   if (!folder.parent_path().empty()) fs::create_directories(folder.parent_path());
-  if (::mkdir(folder.c_str(), S_IRWXU) != 0) refuse_to_write(folder);
+  if (::mkdir(folder.c_str(), S_IRWXU) != 0) refuse_to_write_takes(folder);
 }
 
 void make_private(const fs::path& file) {
@@ -76,10 +51,6 @@ std::string file_stem(std::string_view word) {
   return stem.empty() ? "_" : stem;
 }
 
-bool is_file_name(const std::string& name) {
-  return !name.empty() && name.find('/') == std::string::npos && name.ends_with(".wav");
-}
-
 Json source_json(const TakeSource& source) {
   return {{"started_utc", source.started_utc},
           {"device", source.device},
@@ -98,95 +69,19 @@ void move_if_there(const fs::path& from, const fs::path& to) {
 
 TakeFolder::TakeFolder(fs::path folder) : folder_{std::move(folder)} {
   try {
-    if (fs::is_directory(folder_) && !fs::is_empty(folder_) && !fs::exists(folder_ / kJournal)) {
-      refuse(folder_, "it is in use for something else", "name a new folder");
+    if (fs::is_directory(folder_) && !fs::is_empty(folder_) &&
+        !fs::exists(folder_ / TakeJournal::kName)) {
+      refuse_takes(folder_, "it is in use for something else", "name a new folder");
     }
     make_private_folder(folder_);
     make_private_folder(folder_ / kTakes);
     make_private_folder(folder_ / kRejected);
-    open_journal();
-    read_journal();
+    journal_.emplace(folder_);
+    takes_ = journal_->read();
     mend();
   } catch (const fs::filesystem_error& error) {
-    if (journal_ >= 0) ::close(journal_);
-    refuse(folder_, error.code().message(), "check the folder, its permissions and free space");
-  } catch (...) {
-    if (journal_ >= 0) ::close(journal_);
-    throw;
-  }
-}
-
-TakeFolder::~TakeFolder() {
-  ::close(journal_);
-}
-
-void TakeFolder::open_journal() {
-  const auto file = folder_ / kJournal;
-  journal_ = ::open(file.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  if (journal_ < 0) refuse_to_write(file);
-  if (::flock(journal_, LOCK_EX | LOCK_NB) != 0) {
-    refuse(folder_, "somebody is recording into it", "wait until that has ended");
-  }
-  sync_folder(folder_);
-}
-
-void TakeFolder::read_journal() {
-  const auto content = read_file(folder_ / kJournal);
-  std::size_t at = 0;
-  for (std::size_t number = 1;; ++number) {
-    const auto end = content.find('\n', at);
-    if (end == std::string::npos) break;
-    read_line(std::string_view{content}.substr(at, end - at), number);
-    at = end + 1;
-  }
-  if (at < content.size() && ::ftruncate(journal_, static_cast<off_t>(at)) != 0) {
-    refuse_to_write(folder_ / kJournal);
-  }
-}
-
-void TakeFolder::read_line(std::string_view line, std::size_t number) {
-  const auto damaged = [&](std::string_view finding) {
-    return Error{fmt::format(
-        "cannot go on in '{}': line {} of {} {}; the recordings are in {}/, keep a copy and repair "
-        "or remove the line",
-        folder_.string(),
-        number,
-        kJournal,
-        finding,
-        kTakes)};
-  };
-  const auto parsed = parse_json(line);
-  const auto* const json = std::get_if<nlohmann::json>(&parsed);
-  if (json == nullptr || !json->is_object()) throw damaged("is no JSON object");
-  const auto text = [&](const char* key) {
-    const auto found = json->find(key);
-    if (found == json->end() || !found->is_string()) {
-      throw damaged(fmt::format("has no text \"{}\"", key));
-    }
-    return found->get<std::string>();
-  };
-  const auto event = text("event");
-  if (event != "take" && event != "keep" && event != "reject") return;
-  const auto file = text("file");
-  if (!is_file_name(file)) throw damaged("names no WAV file");
-  const auto set = [&](const std::string& named, bool counts) {
-    const auto found = std::ranges::find(takes_, named, &StoredTake::file);
-    if (found == takes_.end()) throw damaged("names a take that there is not");
-    found->counts = counts;
-  };
-  if (json->contains("replaced")) set(text("replaced"), false);
-  if (event == "take") {
-    takes_.push_back({text("word"), file, text("verdict") == "good"});
-  } else {
-    set(file, event == "keep");
-  }
-}
-
-void TakeFolder::append(std::string_view line) {
-  const std::string whole = fmt::format("{}\n", line);
-  const auto written = ::write(journal_, whole.data(), whole.size());
-  if (written != static_cast<ssize_t>(whole.size()) || ::fdatasync(journal_) != 0) {
-    refuse_to_write(folder_ / kJournal);
+    refuse_takes(
+        folder_, error.code().message(), "check the folder, its permissions and free space");
   }
 }
 
@@ -256,7 +151,7 @@ void TakeFolder::begin_session(std::string_view settings_json, const TakeSource&
   Json line{{"event", "session"}};
   line.update(source_json(source));
   line["settings"] = Json::parse(settings_json);
-  append(line.dump());
+  journal_->append(line.dump());
 }
 
 void TakeFolder::add_room(const Clip& room, Decibels level, const TakeSource& source) {
@@ -272,7 +167,7 @@ void TakeFolder::add_room(const Clip& room, Decibels level, const TakeSource& so
             {"level_dbfs", level.count()},
             {"rate_hz", room.rate.count()}};
   line.update(source_json(source));
-  append(line.dump());
+  journal_->append(line.dump());
 }
 
 std::string TakeFolder::add(const std::string& word,
@@ -310,7 +205,7 @@ std::string TakeFolder::add(const std::string& word,
   const bool replaces = stored.counts && !replaced.empty();
   if (replaces) line["replaced"] = take_named(replaced).file;
   line.update(source_json(source));
-  append(line.dump());
+  journal_->append(line.dump());
   takes_.push_back(stored);
   if (replaces) set_counts(replaced, false);
   return stored.file;
@@ -332,13 +227,13 @@ void TakeFolder::set_counts(const std::string& file, bool counts) {
 void TakeFolder::keep(const std::string& file, const std::string& replaced) {
   Json line{{"event", "keep"}, {"file", take_named(file).file}};
   if (!replaced.empty()) line["replaced"] = take_named(replaced).file;
-  append(line.dump());
+  journal_->append(line.dump());
   set_counts(file, true);
   if (!replaced.empty()) set_counts(replaced, false);
 }
 
 void TakeFolder::reject(const std::string& file) {
-  append(Json{{"event", "reject"}, {"file", take_named(file).file}}.dump());
+  journal_->append(Json{{"event", "reject"}, {"file", take_named(file).file}}.dump());
   set_counts(file, false);
 }
 

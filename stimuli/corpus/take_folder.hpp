@@ -3,13 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "stimuli/audio/clip.hpp"
 #include "stimuli/audio/take_check.hpp"
+#include "stimuli/corpus/take_journal.hpp"
 
 namespace bimodal {
 
@@ -18,13 +19,6 @@ struct TakeSource {
   std::string started_utc;
   std::string device;      ///< its description
   bool simulated = false;  ///< no microphone
-};
-
-/// A take that is stored.
-struct StoredTake {
-  std::string word;
-  std::string file;     ///< its name in the folder of takes, or of rejected ones: "stew-2.wav"
-  bool counts = false;  ///< it is good, or was kept, and was not rejected since
 };
 
 /// The folder of a talker's recorded words. It holds
@@ -46,7 +40,7 @@ class TakeFolder {
   TakeFolder& operator=(const TakeFolder&) = delete;
   TakeFolder(TakeFolder&&) = delete;
   TakeFolder& operator=(TakeFolder&&) = delete;
-  ~TakeFolder();
+  ~TakeFolder() = default;
 
   /// All takes, in the order in which they were made.
   [[nodiscard]] const std::vector<StoredTake>& takes() const { return takes_; }
@@ -79,10 +73,6 @@ class TakeFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
  private:
-  void open_journal();
-  void read_journal();
-  void read_line(std::string_view line, std::size_t number);
-  void append(std::string_view line);
   void mend();
   void place(const StoredTake& take);
   void write_down(const std::filesystem::path& file, const Clip& sound) const;
@@ -91,7 +81,7 @@ class TakeFolder {
   void set_counts(const std::string& file, bool counts);
 
   std::filesystem::path folder_;
-  int journal_ = -1;
+  std::optional<TakeJournal> journal_;  ///< absent only while the folder is being opened
   std::vector<StoredTake> takes_;
 };
 
