@@ -1,4 +1,5 @@
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ ExitCode accept(const AcceptOptions& options) {
       continue;
     }
     fmt::print("{}: accepted although {}\n", item.name, item.doubt);
-    item.doubt.clear();
+    item.accepted = std::exchange(item.doubt, {});
     ++accepted;
   }
   if (accepted > 0) write_corpus(corpus);
@@ -53,7 +54,7 @@ void add_corpus_accept(CLI::App& corpus, Verb& chosen) {
       "accept",
       "Takes the doubt from items that somebody has looked at. It stays away when the corpus is "
       "built\n"
-      "again, as long as the item comes out the same.\n\n"
+      "again, as long as the item and the doubt come out the same.\n\n"
       "Examples:\n  bimodal corpus accept anna stew-2 blue\n  bimodal corpus accept anna --all");
   auto options = std::make_shared<AcceptOptions>();
   verb->add_option("CORPUS", options->corpus, "a folder with corpus.json")->required();

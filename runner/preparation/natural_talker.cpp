@@ -83,10 +83,14 @@ class NaturalTalker final : public FrameSource {
   }
 
   [[nodiscard]] std::size_t place_at(Duration time) const {
-    const auto middle = time + half_refresh_;
-    if (enactment_.rate == 1.0) return place_of(recording_time(enactment_, middle));
-    const auto onset = middle / frame_length_ * frame_length_;  // of a frame of the same rate
-    return place_of(recording_time(enactment_, onset) + kForgiven);
+    const auto instant = recording_time(enactment_, time + half_refresh_);
+    if (enactment_.rate <= 1.0) return place_of(instant);
+    // So many times as fast, each frame that is shown stands for so many frames, counted from the
+    // first, of which it is the one that comes first.
+    const auto step = std::chrono::round<Duration>(frame_length_ * enactment_.rate);
+    const auto first = frames_.front().start;
+    const auto begin = first + std::max(instant - first, Duration{}) / step * step;
+    return place_of(enactment_.reversed ? begin + step - kForgiven : begin + kForgiven);
   }
 
   /// The last frame that begins by then.

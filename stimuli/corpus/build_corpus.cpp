@@ -48,6 +48,7 @@ class Builder {
       try {
         built_.push_back(build_recording(file));
       } catch (const Error& error) {
+        failed_.insert((fs::path{"media"} / file.filename()).string());
         find(Severity::Error, file, describe(error), "");
       }
     }
@@ -246,6 +247,7 @@ class Builder {
     name_items(corpus);
     keep_verdicts(corpus, earlier_);
     tell_of_lost(corpus);
+    tell_of_others_in_place(corpus);
     tell_of_missing(corpus);
   }
 
@@ -258,6 +260,8 @@ class Builder {
       if (is_new) continue;
       for (auto item : earlier_.items) {
         if (item.recording != i) continue;
+        // Its labels, say, are no longer those from which it came.
+        if (failed_.contains(file)) item.doubt = "its recording could not be built again";
         item.recording = corpus.recordings.size();
         corpus.items.push_back(std::move(item));
       }
@@ -279,6 +283,35 @@ class Builder {
                      lost.size() == 1 ? "is" : "are",
                      fmt::join(lost, ", ")),
          "if that is not meant, look at the labels of their recordings");
+  }
+
+  /// Items of a name that stood for another recording or another place: data that are stored by the
+  /// name would mean two things.
+  void tell_of_others_in_place(const Corpus& corpus) {
+    constexpr Duration kSamePlace = std::chrono::milliseconds{200};
+    std::vector<std::string> moved;
+    for (const auto& item : corpus.items) {
+      const auto before = std::ranges::find(earlier_.items, item.name, &CorpusItem::name);
+      if (before == earlier_.items.end()) continue;
+      const auto& file = corpus.recordings[item.recording].file;
+      const auto& file_before = earlier_.recordings[before->recording].file;
+      if (file == file_before && std::chrono::abs(item.start - before->start) <= kSamePlace) {
+        continue;
+      }
+      moved.push_back(fmt::format("{} ({:.2f} s of {}, was {:.2f} s of {})",
+                                  item.name,
+                                  seconds(item.start),
+                                  file,
+                                  seconds(before->start),
+                                  file_before));
+    }
+    if (moved.empty()) return;
+    find(Severity::Warning,
+         request_.folder / kManifestName,
+         fmt::format("{} by the name of an earlier one: {}",
+                     moved.size() == 1 ? "another sound goes" : "other sounds go",
+                     fmt::join(moved, ", ")),
+         "if sessions have been run with the corpus, build in a new folder");
   }
 
   void tell_of_missing(const Corpus& corpus) {
@@ -305,6 +338,7 @@ class Builder {
   RecordingReader reader_;
   Corpus earlier_;
   std::vector<BuiltRecording> built_;
+  std::set<std::string> failed_;  ///< recordings, as the manifest names them
   bool by_list_ = false;
   BuildReport report_;
 };

@@ -49,9 +49,9 @@ struct BuildReport {
 /// somebody has changed it.
 ///
 /// Recordings and items of an earlier manifest that are not built again are kept, and so is the
-/// verdict on an item that comes out the same as before. Words that stand alone
-/// and are more than 12 dB from the median of their talker are doubted. A recording that cannot be
-/// used is an error among the findings, and the others are built all the same. Throws Error if the
+/// acceptance of an item that comes out the same as before with the same doubt. A recording that
+/// cannot be used is an error among the findings, its earlier items are doubted, and the others are
+/// built all the same. Throws Error if the
 /// folder cannot be written, or two recordings have the same name.
 [[nodiscard]] BuildReport build_corpus(const BuildRequest& request, const Progress& progress = {});
 

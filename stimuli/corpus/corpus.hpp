@@ -40,7 +40,8 @@ struct CorpusItem {
   /// Where nothing but this word is heard, if that is less than from start to end: words cut out of
   /// running speech have their neighbours in their margins. Within start and end.
   std::optional<SpeechInterval> clear;
-  std::string doubt;  ///< why somebody should look at it before it is used; empty: no doubt
+  std::string doubt;     ///< why somebody should look at it before it is used; empty: no doubt
+  std::string accepted;  ///< the doubt in spite of which somebody has accepted it; empty: none
 
   bool operator==(const CorpusItem&) const = default;
 };

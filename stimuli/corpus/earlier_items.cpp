@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,13 +26,15 @@ void keep_verdicts(Corpus& corpus, const Corpus& earlier) {
   };
   for (auto& item : corpus.items) {
     const auto& recording = corpus.recordings[item.recording];
+    if (item.doubt.empty()) continue;
     const bool accepted = std::ranges::any_of(earlier.items, [&](const CorpusItem& before) {
-      return before.doubt.empty() && before.word == item.word &&
+      return !before.accepted.empty() && before.accepted == item.doubt &&
+             before.word == item.word &&
              earlier.recordings[before.recording].sha256 == recording.sha256 &&
              near(before.start, item.start) && near(before.end, item.end) &&
              pronunciation_of(before) == pronunciation_of(item);
     });
-    if (accepted) item.doubt.clear();
+    if (accepted) item.accepted = std::exchange(item.doubt, {});
   }
 }
 

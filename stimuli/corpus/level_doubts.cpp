@@ -11,6 +11,7 @@ namespace bimodal {
 namespace {
 
 constexpr double kLevelRange = 12.0;
+constexpr double kRunningRange = 30.0;
 
 /// In dB, by talker.
 std::map<std::string, double> median_levels(std::span<const BuiltRecording> recordings) {
@@ -37,10 +38,11 @@ void doubt_levels(std::span<BuiltRecording> recordings) {
   const auto medians = median_levels(recordings);
   for (auto& built : recordings) {
     const auto median = medians.find(built.recording.talker);
-    if (built.running || median == medians.end()) continue;
+    if (median == medians.end()) continue;
+    const double range = built.running ? kRunningRange : kLevelRange;
     for (std::size_t i = 0; i < built.items.size(); ++i) {
       const double difference = built.levels[i].count() - median->second;
-      if (std::abs(difference) <= kLevelRange) continue;
+      if (std::abs(difference) <= range) continue;
       auto& doubt = built.items[i].doubt;
       doubt += fmt::format("{}it is {:.0f} dB {} than the talker's other words",
                            doubt.empty() ? "" : "; ",

@@ -17,8 +17,9 @@ struct BuiltRecording {
   bool running = false;          ///< SaidWords::running
 };
 
-/// Doubts items that stand alone and are more than 12 dB from the median level of their talker's
-/// items. Those of running speech are not judged: sentences end weaker than they begin.
+/// Doubts items that are more than 12 dB from the median level of their talker's items; words of
+/// running speech, which ends weaker than it begins, only if they are more than 30 dB from it: what
+/// somebody has labelled there is no speech.
 void doubt_levels(std::span<BuiltRecording> recordings);
 
 }  // namespace bimodal

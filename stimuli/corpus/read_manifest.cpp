@@ -133,6 +133,8 @@ class ManifestReader {
         reader.text("word", {.shortest = 1, .longest = 4'000, .meaning = "what is said, \"stew\""})
             .value_or("");
     item.doubt = reader.text("doubt", {.meaning = "why it should be looked at"}).value_or("");
+    item.accepted =
+        reader.text("accepted", {.meaning = "the doubt that somebody has taken away"}).value_or("");
     const auto file = reader.text("recording", {.meaning = "the \"file\" of a recording"});
     const auto start = reader.time("start_s", 1s, kSeconds);
     const auto end = reader.time("end_s", 1s, kSeconds);

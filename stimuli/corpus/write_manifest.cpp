@@ -40,7 +40,7 @@ std::string line_of(const CorpusItem& item, const Corpus& corpus) {
   }
   times += seconds_text(item.phones.back().end());
   return fmt::format(
-      R"({{"item": {}, "word": {}, "recording": {}, "start_s": {}, "end_s": {}, "phones": {}, "times_s": [{}]{}{}}})",
+      R"({{"item": {}, "word": {}, "recording": {}, "start_s": {}, "end_s": {}, "phones": {}, "times_s": [{}]{}{}{}}})",
       as_json(item.name),
       as_json(item.word),
       as_json(corpus.recordings.at(item.recording).file),
@@ -52,7 +52,9 @@ std::string line_of(const CorpusItem& item, const Corpus& corpus) {
                                seconds_text(item.clear->start),
                                seconds_text(item.clear->end))
                  : std::string{},
-      item.doubt.empty() ? std::string{} : fmt::format(R"(, "doubt": {})", as_json(item.doubt)));
+      item.doubt.empty() ? std::string{} : fmt::format(R"(, "doubt": {})", as_json(item.doubt)),
+      item.accepted.empty() ? std::string{}
+                            : fmt::format(R"(, "accepted": {})", as_json(item.accepted)));
 }
 
 }  // namespace

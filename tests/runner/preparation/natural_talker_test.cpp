@@ -55,7 +55,7 @@ class NaturalTalker : public made_media::MadeMedia {
   }
 };
 
-TEST_F(NaturalTalker, ShowsTheFrameNearestToEachRefreshAtAnyRefreshRate) {
+TEST_F(NaturalTalker, ShowsTheFrameOfEachRefreshAtAnyRefreshRate) {
   const auto file = made("x.mkv", made_media::numbered_frames("25", "2") + " -c:v ffv1");
   for (const double hz : {50.0, 59.94, 60.0, 75.0, 144.0}) {
     const auto shown = frames_shown(enactment_of(file, {400ms, 1400ms}), hz);
@@ -93,6 +93,41 @@ TEST_F(NaturalTalker, AtThreeTimesTheSpeedShowsEveryThirdFrameAsLongAsBefore) {
   ASSERT_EQ(shown.size(), 40U);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     EXPECT_EQ(shown[i], 10 + 3 * static_cast<std::int64_t>(i / 2)) << "refresh " << i;
+  }
+}
+
+// Wherever between two frames the item begins.
+TEST_F(NaturalTalker, KeepsFramesAtTheirTimesAtAnyRate) {
+  const auto file = made("x.mkv", made_media::numbered_frames("25", "4") + " -c:v ffv1");
+  for (const double rate : {0.25, 0.5, 0.8, 1.0, 2.0, 3.0}) {
+    for (const auto start : {400ms, 415ms, 439ms}) {
+      auto enactment = enactment_of(file, {start, start + 1200ms});
+      enactment.rate = rate;
+      enactment.length = Duration{std::llround(1.2e9 / rate)};
+      const double step = std::max(rate, 1.0);
+      const auto shown = frames_shown(enactment, 60.0);
+      for (std::size_t i = 0; i < shown.size(); ++i) {
+        const double middle = (static_cast<double>(i) + 0.5) / 60.0;
+        const double frames_since = (made_media::seconds(start) - 0.4 + rate * middle) * 25.0;
+        if (std::abs(frames_since - std::round(frames_since)) < 1e-3) continue;  // either
+        const auto expected =
+            10 + static_cast<std::int64_t>(std::floor(frames_since / step) * step);
+        EXPECT_EQ(shown[i], expected)
+            << "rate " << rate << ", " << start.count() << ", refresh " << i;
+      }
+    }
+  }
+}
+
+TEST_F(NaturalTalker, RunsBackwardsThreeTimesAsFast) {
+  const auto file = made("x.mkv", made_media::numbered_frames("25", "4") + " -c:v ffv1");
+  auto enactment = enactment_of(file, {400ms, 1600ms});
+  enactment.rate = 3.0;
+  enactment.length /= 3;
+  enactment.reversed = true;
+  const auto shown = frames_shown(enactment, 50.0);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    EXPECT_EQ(shown[i], 39 - 3 * static_cast<std::int64_t>(i / 2)) << "refresh " << i;
   }
 }
 

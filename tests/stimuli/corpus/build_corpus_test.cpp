@@ -222,9 +222,86 @@ TEST_F(BuildCorpus, KeepsTheVerdictOnAnItemThatIsTheSame) {
   const auto wanted = request("reading.wav", words);
   auto corpus = build_corpus(wanted).corpus;
   EXPECT_THAT(item(corpus, "like-2").doubt, HasSubstr("another take"));
-  for (auto& each : corpus.items) each.doubt.clear();
+  for (auto& each : corpus.items) each.accepted = std::exchange(each.doubt, {});
   write_corpus(corpus);
-  for (const auto& each : build_corpus(wanted).corpus.items) EXPECT_THAT(each.doubt, IsEmpty());
+  for (int i = 0; i < 2; ++i) {
+    for (const auto& each : build_corpus(wanted).corpus.items) EXPECT_THAT(each.doubt, IsEmpty());
+  }
+}
+
+TEST_F(BuildCorpus, DoubtsWhatHasBecomeDoubtfulSince) {
+  const std::vector<std::string> words{"stone", "like"};
+  read_aloud(words, "reading.wav");
+  const auto wanted = request("reading.wav", words);
+  EXPECT_THAT(item(build_corpus(wanted).corpus, "stone").doubt, IsEmpty());
+  const auto file = folder_ / "corpus" / "labels" / "reading.TextGrid";
+  auto labels = read_labels(file);
+  for (auto& tier : labels.tiers) {
+    for (auto& label : tier.labels) {
+      if (label.text == "stone") label.end -= 30ms;
+    }
+  }
+  write_labels(file, labels);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_THAT(item(build_corpus(wanted).corpus, "stone").doubt,
+                HasSubstr("make both tiers agree"));
+  }
+}
+
+TEST_F(BuildCorpus, DoubtsTheEarlierItemsOfARecordingThatCannotBeBuiltAgain) {
+  read_aloud({"stone", "like"}, "reading.wav");
+  const auto wanted = request("reading.wav", {"stone", "like"});
+  static_cast<void>(build_corpus(wanted));
+  write_labels(folder_ / "corpus" / "labels" / "reading.TextGrid",
+               {.end = 1s, .tiers = {{"words", {{0ms, 100ms, "stone"}}}, {"phones", {}}}});
+  const auto report = build_corpus(wanted);
+  EXPECT_TRUE(has_errors(report.findings));
+  EXPECT_EQ(report.corpus.items.size(), 2U);
+  for (const auto& each : report.corpus.items) {
+    EXPECT_THAT(each.doubt, HasSubstr("could not be built again"));
+  }
+}
+
+TEST_F(BuildCorpus, TellsOfANameThatStandsForAnotherSound) {
+  const std::vector<std::string> words{"stone", "like"};
+  read_aloud({"stone", "stone", "like"}, "reading.wav");
+  const auto wanted = request("reading.wav", words);
+  const auto first = build_corpus(wanted).corpus;
+  const auto file = folder_ / "corpus" / "labels" / "reading.TextGrid";
+  auto labels = read_labels(file);
+  const auto kept = item(first, "stone").phones.front().start;
+  for (auto& tier : labels.tiers) {
+    for (auto& label : tier.labels) {
+      const bool meant = label.text == "stone" && std::chrono::abs(label.start - kept) < 1ms;
+      if (meant) label.text = "like";
+    }
+  }
+  write_labels(file, labels);
+  EXPECT_THAT(all_of(build_corpus(wanted).findings),
+              HasSubstr("another sound goes by the name of an earlier one: stone ("));
+}
+
+TEST_F(BuildCorpus, DoubtsSilenceLabelledAsAWordOfRunningSpeech) {
+  const auto said = read_aloud({"place", "white", "spoon"}, "reading.wav");
+  const Labels labels{.end = said.back().end + 300ms,
+                      .tiers = {{"words",
+                                 {{said[0].start, said[0].end, "place"},
+                                  {said[0].end, said[0].end + 60ms, "with"},
+                                  {said[0].end + 60ms, said[0].end + 90ms, "at"},
+                                  {said[1].start, said[1].end, "white"},
+                                  {said[2].start, said[2].end, "spoon"},
+                                  {said[2].end + 100ms, said[2].end + 280ms, "queen"}}},
+                                {"phones",
+                                 {{said[0].start, said[0].end, "P"},
+                                  {said[0].end, said[0].end + 60ms, "W"},
+                                  {said[0].end + 60ms, said[0].end + 90ms, "AE"},
+                                  {said[1].start, said[1].end, "W"},
+                                  {said[2].start, said[2].end, "S"},
+                                  {said[2].end + 100ms, said[2].end + 280ms, "K"}}}}};
+  write_labels(folder_ / "reading.TextGrid", labels);
+  const auto corpus = build_corpus(request("reading.wav", {"white", "spoon", "queen"})).corpus;
+  EXPECT_THAT(item(corpus, "queen").doubt, HasSubstr("weaker than the talker's other words"));
+  EXPECT_THAT(item(corpus, "spoon").doubt, testing::Not(HasSubstr("weaker")));
 }
 
 TEST_F(BuildCorpus, TakesWordTiersAndAlignsWithinThem) {

@@ -27,7 +27,7 @@ const std::string kManifest = R"({
   ],
   "items": [
     {"item": "blue", "word": "blue", "recording": "media/one.mpg", "start_s": 1.0, "end_s": 1.5, "phones": "B L UW", "times_s": [1.1, 1.2, 1.25, 1.4]},
-    {"item": "blue-2", "word": "blue", "recording": "media/one.mpg", "start_s": 2.0, "end_s": 2.5, "phones": "B L UW", "times_s": [2.1, 2.2, 2.25, 2.4], "doubt": "clipped"}
+    {"item": "blue-2", "word": "blue", "recording": "media/one.mpg", "start_s": 2.0, "end_s": 2.5, "phones": "B L UW", "times_s": [2.1, 2.2, 2.25, 2.4], "doubt": "clipped", "accepted": "loud"}
   ]
 }
 )";
@@ -63,6 +63,7 @@ TEST(Manifest, IsReadWhole) {
   EXPECT_EQ(corpus.items[0].start, 1s);
   EXPECT_EQ(corpus.items[0].phones[2], (TimedPhone{Phone::UW, 1250ms, 150ms}));
   EXPECT_EQ(corpus.items[1].doubt, "clipped");
+  EXPECT_EQ(corpus.items[1].accepted, "loud");
   EXPECT_EQ(media_file(corpus, 0), "talker/media/one.mpg");
 }
 
