@@ -15,8 +15,8 @@ inline constexpr std::size_t kMostFrameBytes = std::size_t{1} << 30U;
 /// that is on at its middle, the last whose presentation time is not after it, so that frames begin
 /// at most half a refresh off their time. Slower than recorded, frames stay longer. Faster, the
 /// frame rate stays that of the recording: at rate 3 every third frame is shown, each as long as
-/// before; at 1.5, of three frames two. Throws Error, naming the file, if it cannot be decoded, or its frames do not fit
-/// into kMostFrameBytes.
+/// before; at 1.5, of three frames two. Throws Error, naming the file, if it cannot be decoded, or
+/// its frames do not fit into kMostFrameBytes.
 [[nodiscard]] std::unique_ptr<FrameSource> natural_talker(const Enactment& enactment,
                                                           std::size_t lines,
                                                           Hertz drawing_rate,
