@@ -10,6 +10,7 @@
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/corpus/built_recording.hpp"
 #include "stimuli/corpus/corpus_folder.hpp"
 #include "stimuli/corpus/cut_items.hpp"
 #include "stimuli/corpus/earlier_items.hpp"
@@ -247,7 +248,7 @@ class Builder {
     name_items(corpus);
     keep_verdicts(corpus, earlier_);
     tell_of_lost(corpus);
-    tell_of_others_in_place(corpus);
+    tell_of_items_elsewhere(corpus);
     tell_of_missing(corpus);
   }
 
@@ -269,12 +270,9 @@ class Builder {
     }
   }
 
-  /// Words that the corpus had and has no longer, as when a label was mistyped.
   void tell_of_lost(const Corpus& corpus) {
-    std::set<std::string_view> lost;
-    for (const auto& item : earlier_.items) lost.insert(item.word);
-    for (const auto& item : corpus.items) lost.erase(item.word);
-    std::erase_if(lost, [&](std::string_view word) { return !pronouncer_.is_listed(word); });
+    auto lost = lost_words(corpus, earlier_);
+    std::erase_if(lost, [&](const auto& word) { return !pronouncer_.is_listed(word); });
     if (lost.empty()) return;
     find(Severity::Warning,
          request_.folder / kManifestName,
@@ -285,32 +283,14 @@ class Builder {
          "if that is not meant, look at the labels of their recordings");
   }
 
-  /// Items of a name that stood for another recording or another place: data that are stored by the
-  /// name would mean two things.
-  void tell_of_others_in_place(const Corpus& corpus) {
-    constexpr Duration kSamePlace = std::chrono::milliseconds{200};
-    std::vector<std::string> moved;
-    for (const auto& item : corpus.items) {
-      const auto before = std::ranges::find(earlier_.items, item.name, &CorpusItem::name);
-      if (before == earlier_.items.end()) continue;
-      const auto& file = corpus.recordings[item.recording].file;
-      const auto& file_before = earlier_.recordings[before->recording].file;
-      if (file == file_before && std::chrono::abs(item.start - before->start) <= kSamePlace) {
-        continue;
-      }
-      moved.push_back(fmt::format("{} ({:.2f} s of {}, was {:.2f} s of {})",
-                                  item.name,
-                                  seconds(item.start),
-                                  file,
-                                  seconds(before->start),
-                                  file_before));
-    }
-    if (moved.empty()) return;
+  void tell_of_items_elsewhere(const Corpus& corpus) {
+    const auto elsewhere = items_elsewhere(corpus, earlier_);
+    if (elsewhere.empty()) return;
     find(Severity::Warning,
          request_.folder / kManifestName,
          fmt::format("{} by the name of an earlier one: {}",
-                     moved.size() == 1 ? "another sound goes" : "other sounds go",
-                     fmt::join(moved, ", ")),
+                     elsewhere.size() == 1 ? "another sound goes" : "other sounds go",
+                     fmt::join(elsewhere, ", ")),
          "if sessions have been run with the corpus, build in a new folder");
   }
 
@@ -326,7 +306,7 @@ class Builder {
     find(Severity::Warning,
          request_.folder / kManifestName,
          fmt::format("{} of the list not found: {}",
-                     missing.size() == 1 ? "1 word" : fmt::format("{} words", missing.size()),
+                     counted(missing.size(), "word"),
                      fmt::join(missing, ", ")),
          "record them, or label them in Praat if they are there, and build again");
   }

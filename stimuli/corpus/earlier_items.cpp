@@ -8,6 +8,16 @@
 
 namespace bimodal {
 
+namespace {
+
+constexpr Duration kSamePlace = std::chrono::milliseconds{200};
+
+double seconds(Duration duration) {
+  return std::chrono::duration<double>{duration}.count();
+}
+
+}  // namespace
+
 void name_items(Corpus& corpus) {
   std::set<std::string> used;
   for (auto& item : corpus.items) {
@@ -36,6 +46,33 @@ void keep_verdicts(Corpus& corpus, const Corpus& earlier) {
     });
     if (accepted) item.accepted = std::exchange(item.doubt, {});
   }
+}
+
+std::vector<std::string> lost_words(const Corpus& corpus, const Corpus& earlier) {
+  std::set<std::string> lost;
+  for (const auto& item : earlier.items) lost.insert(item.word);
+  for (const auto& item : corpus.items) lost.erase(item.word);
+  return {lost.begin(), lost.end()};
+}
+
+std::vector<std::string> items_elsewhere(const Corpus& corpus, const Corpus& earlier) {
+  std::vector<std::string> elsewhere;
+  for (const auto& item : corpus.items) {
+    const auto before = std::ranges::find(earlier.items, item.name, &CorpusItem::name);
+    if (before == earlier.items.end()) continue;
+    const auto& file = corpus.recordings[item.recording].file;
+    const auto& file_before = earlier.recordings[before->recording].file;
+    const bool is_same =
+        file == file_before && std::chrono::abs(item.start - before->start) <= kSamePlace;
+    if (is_same) continue;
+    elsewhere.push_back(fmt::format("{} ({:.2f} s of {}, was {:.2f} s of {})",
+                                    item.name,
+                                    seconds(item.start),
+                                    file,
+                                    seconds(before->start),
+                                    file_before));
+  }
+  return elsewhere;
 }
 
 }  // namespace bimodal
