@@ -3,28 +3,35 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace bimodal::synth {
 
 namespace {
 
-using Milliseconds = std::chrono::duration<double, std::milli>;
+/// Theta, integrated over the way from the peak to `offset_ms`.
+double decay(const Dominance& dominance, double offset_ms) {
+  const double distance = std::abs(offset_ms);
+  const double theta = offset_ms <= 0 ? dominance.theta_before : dominance.theta_after;
+  if (offset_ms < 0 && distance > dominance.inflection_ms) {
+    return theta * dominance.inflection_ms +
+           dominance.theta_early * (distance - dominance.inflection_ms);
+  }
+  return theta * (dominance.exponent == 1.0 ? distance : std::pow(distance, dominance.exponent));
+}
 
 }  // namespace
 
-double Dominance::log_at(Duration offset) const {
-  const double theta = offset <= Duration::zero() ? theta_before : theta_after;
-  const double distance = std::abs(Milliseconds{offset}.count());
-  const double powered = exponent == 1.0 ? distance : std::pow(distance, exponent);
-  return std::log(alpha) - theta * powered;
+double Dominance::log_at(Milliseconds offset) const {
+  const double x = decay(*this, offset.count());
+  const double fall = form == DominanceForm::CriticallyDamped ? std::log1p(x) - x : -x;
+  return std::log(alpha) + fall;
 }
 
-double Dominance::at(Duration offset) const {
+double Dominance::at(Milliseconds offset) const {
   return std::exp(log_at(offset));
 }
 
-double blend(std::span<const Claim> claims, Duration time) {
+double blend(std::span<const Claim> claims, Milliseconds time) {
   assert(!claims.empty());
 
   // Far from every peak all dominances underflow to zero together; dividing them by the largest
@@ -41,7 +48,8 @@ double blend(std::span<const Claim> claims, Duration time) {
     weighted_sum += weight * claim.target;
     total_weight += weight;
   }
-  return weighted_sum / total_weight;
+  const auto [lowest, highest] = std::ranges::minmax(claims, {}, &Claim::target);
+  return std::clamp(weighted_sum / total_weight, lowest.target, highest.target);  // of rounding
 }
 
 }  // namespace bimodal::synth

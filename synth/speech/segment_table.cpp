@@ -1,6 +1,7 @@
 #include "synth/speech/segment_table.hpp"
 
 #include <cassert>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,35 @@ namespace bimodal::synth {
 
 static_assert(static_cast<std::size_t>(Phone::UW) + 1 == kFaceSegmentCount,
               "the diphthongs stand last, so that a phone is an index of the table");
+
+SegmentTarget between(const SegmentTarget& from, const SegmentTarget& to, double share) {
+  if (share <= 0) return from;
+  if (share >= 1) return to;
+  auto first = from.dominance;
+  auto last = to.dominance;
+  if (first.inflection_ms == Dominance::kNoInflection) {
+    first.inflection_ms = last.inflection_ms;
+    first.theta_early = first.theta_before;
+  }
+  if (last.inflection_ms == Dominance::kNoInflection) {
+    last.inflection_ms = first.inflection_ms;
+    last.theta_early = last.theta_before;
+  }
+  SegmentTarget made = from;
+  made.target = std::lerp(from.target, to.target, share);
+  made.offset = Milliseconds{std::lerp(from.offset.count(), to.offset.count(), share)};
+  made.dominance = {.alpha = std::lerp(first.alpha, last.alpha, share),
+                    .theta_before = std::lerp(first.theta_before, last.theta_before, share),
+                    .theta_after = std::lerp(first.theta_after, last.theta_after, share),
+                    .exponent = std::lerp(first.exponent, last.exponent, share),
+                    .form = share < 0.5 ? first.form : last.form,
+                    .inflection_ms = Dominance::kNoInflection};
+  if (first.inflection_ms != Dominance::kNoInflection) {
+    made.dominance.inflection_ms = std::lerp(first.inflection_ms, last.inflection_ms, share);
+    made.dominance.theta_early = std::lerp(first.theta_early, last.theta_early, share);
+  }
+  return made;
+}
 
 SegmentTable::SegmentTable(const std::filesystem::path& file) {
   std::vector<Diagnostic> diagnostics;
@@ -28,6 +58,10 @@ const SegmentTarget& SegmentTable::at(Phone segment, Control control) const {
   const auto column = static_cast<std::size_t>(control);
   assert(row < kFaceSegmentCount && column < kSpeechControlCount);
   return targets_[row][column];
+}
+
+SegmentTarget SegmentTable::at(const Segment& segment, Control control) const {
+  return between(at(segment.from, control), at(segment.to, control), segment.share());
 }
 
 }  // namespace bimodal::synth

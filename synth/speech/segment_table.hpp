@@ -10,7 +10,7 @@
 
 #include "stimuli/base/diagnostic.hpp"
 #include "stimuli/base/quantity.hpp"
-#include "stimuli/timeline/phone.hpp"
+#include "stimuli/timeline/segment.hpp"
 #include "synth/speech/control.hpp"
 #include "synth/speech/dominance.hpp"
 
@@ -24,10 +24,18 @@ inline constexpr std::size_t kFaceSegmentCount = 39;
 struct SegmentTarget {
   double target = 0;            ///< T, in the control's unit; may lie beyond its range
   Dominance dominance;          ///< alpha, theta before and after (1/ms); c = 1
-  Duration offset{};            ///< t_o: peak of dominance, counted from the segment's centre
+  Milliseconds offset{};        ///< t_o: peak of dominance, counted from the segment's centre
   std::string target_source;    ///< key of sources(): where `target` comes from
   std::string dynamics_source;  ///< key of sources(): where `dominance` and `offset` come from
 };
+
+/// What lies `share` (0 to 1) of the way from one to the other: target, alpha, both thetas,
+/// exponent and offset in proportion. Where only one of them changes its theta on the way to the
+/// peak, the other counts as one whose theta stays the same there. The form is that of the nearer
+/// (in a SegmentTable both have the same); the sources are those of `from`, unless `share` is 1.
+[[nodiscard]] SegmentTarget between(const SegmentTarget& from,
+                                    const SegmentTarget& to,
+                                    double share);
 
 /// Target and dominance of every segment for every speech control: the language's articulation as
 /// data, synth/assets/segments/english.json.
@@ -51,6 +59,10 @@ class SegmentTable {
 
   /// Preconditions: `segment` is not a diphthong, `control` is a speech control.
   [[nodiscard]] const SegmentTarget& at(Phone segment, Control control) const;
+
+  /// Of an ambiguous segment: everything in proportion between its two phones. The same
+  /// preconditions.
+  [[nodiscard]] SegmentTarget at(const Segment& segment, Control control) const;
 
   /// What each source key stands for.
   [[nodiscard]] const std::map<std::string, std::string>& sources() const { return sources_; }

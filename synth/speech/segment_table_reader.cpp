@@ -15,7 +15,6 @@ namespace bimodal::synth {
 namespace {
 
 using nlohmann::json;
-using Milliseconds = std::chrono::duration<double, std::milli>;
 
 constexpr std::array<std::string_view, 6> kDynamicsColumns{
     "alpha", "theta_before", "theta_after", "offset_ms", "dynamics", "targets"};
@@ -217,7 +216,7 @@ class SegmentTableReader {
             fmt::format("give ms between -{0} and {0}", kLargestOffsetMs));
       return;
     }
-    asked.offset = std::chrono::round<Duration>(Milliseconds{offset_ms});
+    asked.offset = Milliseconds{offset_ms};
     asked.dynamics_source = source(row, 4, pointer);
     asked.target_source = source(row, 5, pointer);
     for (std::size_t i = 0; i < controls.size(); ++i) {

@@ -74,7 +74,7 @@ TEST(EnglishSegments, HaveTheDynamicsFittedToNaturalLips) {
   const SegmentTable table{english()};
   const auto& jaw = table.at(B, Control::Jaw);
   EXPECT_EQ(jaw.dominance, (Dominance{.alpha = 2.49, .theta_before = .022, .theta_after = .022}));
-  EXPECT_EQ(jaw.offset, -13ms);
+  EXPECT_EQ(jaw.offset, Milliseconds{-13});
   const auto& width = table.at(UW, Control::LipWidth).dominance;
   EXPECT_EQ(width.alpha, 1.62);
   EXPECT_GE(width.theta_before, .015);
