@@ -48,7 +48,7 @@ std::optional<TextFault> fault_of_encoding(std::string_view text) {
 }
 
 /// Counts brackets and commas outside strings, before the parser builds anything.
-std::optional<TextFault> fault_of_shape(std::string_view text) {
+std::optional<TextFault> fault_of_shape(std::string_view text, std::size_t most_values) {
   std::size_t depth = 0;
   std::size_t values = 1;
   bool in_string = false;
@@ -70,10 +70,10 @@ std::optional<TextFault> fault_of_shape(std::string_view text) {
                       fmt::format("more than {} objects and arrays in each other", kDeepestNesting),
                       "a protocol needs four; is a bracket missing?");
     }
-    if (values > kMostValues) {
+    if (values > most_values) {
       return fault_at(text,
                       at,
-                      fmt::format("more than {} values", kMostValues),
+                      fmt::format("more than {} values", most_values),
                       "is this the right file? Long lists belong in files of their own");
     }
   }
@@ -188,7 +188,7 @@ std::string printed(const Json& value) {
 
 }  // namespace
 
-std::variant<Json, TextFault> parse_json(std::string_view text) {
+std::variant<Json, TextFault> parse_json(std::string_view text, std::size_t most_values) {
   if (text.size() > kLargestFile) {
     return TextFault{
         0,
@@ -201,7 +201,7 @@ std::variant<Json, TextFault> parse_json(std::string_view text) {
         0, "the file is empty", "begin with a copy of a file that ships with the program"};
   }
   if (auto fault = fault_of_encoding(text)) return *fault;
-  if (auto fault = fault_of_shape(text)) return *fault;
+  if (auto fault = fault_of_shape(text, most_values)) return *fault;
   try {
     return Json::parse(text);
   } catch (const Json::exception&) {

@@ -22,9 +22,10 @@ struct TextFault {
 };
 
 /// Parses an untrusted text: at most kLargestFile bytes of UTF-8 without NUL, RFC 8259 JSON, nested
-/// at most kDeepestNesting deep, at most kMostValues values, every number within the range of a
+/// at most kDeepestNesting deep, at most `most_values` values, every number within the range of a
 /// double.
-[[nodiscard]] std::variant<nlohmann::json, TextFault> parse_json(std::string_view text);
+[[nodiscard]] std::variant<nlohmann::json, TextFault> parse_json(
+    std::string_view text, std::size_t most_values = kMostValues);
 
 /// A value as JSON for a message, shortened to about 60 bytes, without line breaks.
 [[nodiscard]] std::string shown(const nlohmann::json& value);

@@ -64,31 +64,37 @@ Claim claim_of(const SegmentTarget& asked, Milliseconds centre, std::size_t segm
   return claim;
 }
 
+Claim claim_on(Control control,
+               const TimedSegment& timed,
+               std::size_t index,
+               bool is_last,
+               const SegmentTable& table) {
+  const auto centre = timed.centre();
+  if (timed.segment.is_ambiguous()) {
+    return claim_of(table.at(timed.segment, control), centre, index);
+  }
+  Claim claim = claim_of(table.at(timed.segment.from, control), centre, index);
+  if (timed.segment != Phone::Rest) return claim;
+  const Milliseconds offset = claim.peak - centre;
+  if (index == 0) {
+    claim.dominance.theta_before = 0;
+    claim.dominance.inflection_ms = Dominance::kNoInflection;
+    claim.peak = timed.end() - kRestDistance + offset;
+  }
+  if (is_last) {
+    claim.dominance.theta_after = 0;
+    claim.peak = timed.start + kRestDistance + offset;
+  }
+  return claim;
+}
+
 std::vector<Claim> claims_on(Control control,
                              std::span<const TimedSegment> segments,
                              const SegmentTable& table) {
   std::vector<Claim> claims;
   claims.reserve(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const auto& timed = segments[i];
-    const Milliseconds centre = timed.centre();
-    if (timed.segment.is_ambiguous()) {
-      claims.push_back(claim_of(table.at(timed.segment, control), centre, i));
-    } else {
-      claims.push_back(claim_of(table.at(timed.segment.from, control), centre, i));
-    }
-    if (timed.segment != Phone::Rest) continue;
-    auto& rest = claims.back();
-    const Milliseconds offset = rest.peak - centre;
-    if (i == 0) {
-      rest.dominance.theta_before = 0;
-      rest.dominance.inflection_ms = Dominance::kNoInflection;
-      rest.peak = timed.end() - kRestDistance + offset;
-    }
-    if (i + 1 == segments.size()) {
-      rest.dominance.theta_after = 0;
-      rest.peak = timed.start + kRestDistance + offset;
-    }
+    claims.push_back(claim_on(control, segments[i], i, i + 1 == segments.size(), table));
   }
   return claims;
 }

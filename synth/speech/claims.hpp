@@ -34,6 +34,13 @@ inline constexpr double kDiphthongSplit = 0.55;
                                            std::span<const TimedSegment> segments,
                                            const SegmentTable& table);
 
+/// The claim of one of them: the first has index 0.
+[[nodiscard]] Claim claim_on(Control control,
+                             const TimedSegment& timed,
+                             std::size_t index,
+                             bool is_last,
+                             const SegmentTable& table);
+
 /// The claim that a segment makes which asks for `asked`: t_c is the middle of the segment, and a
 /// change of theta is counted from there.
 [[nodiscard]] Claim claim_of(const SegmentTarget& asked, Milliseconds centre, std::size_t segment);
