@@ -94,13 +94,22 @@ void print_variants(const std::string& text, Notation notation) {
   }
 }
 
+/// Refuses options that have no meaning together.
+void judge(const PhonesOptions& options) {
+  const bool by_dictionary = options.method == "dictionary";
+  if (options.from != "text" && (options.variants || !by_dictionary)) {
+    throw Error{"a transcription is not looked up; leave --method and --variants out, or --from"};
+  }
+  if (options.variants && !by_dictionary) {
+    throw Error{"--variants are the pronunciations of the dictionary; leave --method out"};
+  }
+}
+
 ExitCode tell(const PhonesOptions& options) {
+  judge(options);
   const auto text = fmt::format("{}", fmt::join(options.text, " "));
   const auto notation = notation_named(options.show);
   if (options.variants) {
-    if (options.from != "text" || options.method != "dictionary") {
-      throw Error{"--variants are of words of the dictionary; leave --from and --method out"};
-    }
     print_variants(text, notation);
     return ExitCode::Done;
   }
