@@ -16,6 +16,7 @@ void add_check(CLI::App& app, Verb& chosen);
 void add_run(CLI::App& app, Verb& chosen);
 void add_rehearse(CLI::App& app, Verb& chosen);
 void add_align(CLI::App& app, Verb& chosen);
+void add_phones(CLI::App& app, Verb& chosen);
 void add_labels(CLI::App& app, Verb& chosen);
 void add_stimuli(CLI::App& app, Verb& chosen);
 void add_render(CLI::App& app, Verb& chosen);
