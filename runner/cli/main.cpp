@@ -75,6 +75,8 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
   bimodal::runner::add_rehearse(app, verb);
   bimodal::runner::add_align(app, verb);
   bimodal::runner::add_phones(app, verb);
+  bimodal::runner::add_tracks(app, verb);
+  bimodal::runner::add_figures(app, verb);
   bimodal::runner::add_labels(app, verb);
   bimodal::runner::add_stimuli(app, verb);
   bimodal::runner::add_render(app, verb);

@@ -1,10 +1,10 @@
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "runner/cli/said_text.hpp"
 #include "runner/cli/verbs.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/timeline/phone_notation.hpp"
@@ -26,42 +26,6 @@ struct PhonesOptions {
   bool variants = false;
 };
 
-Notation notation_named(std::string_view name) {
-  if (name == "ipa") return Notation::Ipa;
-  if (name == "xsampa") return Notation::XSampa;
-  return Notation::Arpabet;
-}
-
-/// Tells on standard error which words the dictionary lacks.
-void tell_doubts(const std::vector<PronouncedWord>& words) {
-  for (const auto& word : words) {
-    if (word.source == PhoneSource::Rules) {
-      fmt::print(stderr,
-                 "bimodal: \"{}\" is not in the dictionary; by the letter-to-sound rules: {}\n",
-                 word.written,
-                 word.phones.empty() ? "silent" : spell(word.phones));
-    }
-  }
-}
-
-std::vector<PronouncedWord> words_of(const std::string& text, const PhonesOptions& options) {
-  const auto rules = LetterToSound::shipped();
-  if (options.method == "nrl") return phones_by_rules(text, rules);
-  auto words = phones_by_dictionary(text, Dictionary{Dictionary::installed()}, rules);
-  tell_doubts(words);
-  return words;
-}
-
-/// All phones, with rest where words have a pause between them.
-std::vector<Phone> joined(const std::vector<PronouncedWord>& words) {
-  std::vector<Phone> phones;
-  for (const auto& word : words) {
-    phones.insert(phones.end(), word.phones.begin(), word.phones.end());
-    if (word.after != Pause::None && &word != &words.back()) phones.push_back(Phone::Rest);
-  }
-  return phones;
-}
-
 /// What Festival says, without the rest at both ends.
 std::vector<Phone> spoken_by_festival(const std::string& text) {
   const auto item = synth::Voice{"kal"}.speak(ascii_text(text));
@@ -75,7 +39,7 @@ std::vector<Phone> spoken_by_festival(const std::string& text) {
 std::vector<Phone> phones_of(const std::string& text, const PhonesOptions& options) {
   if (options.from != "text") return read_phones(text, notation_named(options.from));
   if (options.method == "festival") return spoken_by_festival(text);
-  return joined(words_of(text, options));
+  return joined(said_words(text, options.method));
 }
 
 /// "read R EH D" and "read(2) R IY D": every way in which the dictionary says each word, in the

@@ -27,6 +27,12 @@ constexpr std::array<AccountDescription, 5> kAccounts{{
 
 }  // namespace
 
+double claiming_threshold(const std::vector<Claim>& claims) {
+  double greatest = 0;
+  for (const auto& claim : claims) greatest = std::max(greatest, claim.dominance.alpha);
+  return kClaimingAlpha * greatest;
+}
+
 std::span<const AccountDescription> accounts() {
   return kAccounts;
 }

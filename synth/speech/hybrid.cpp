@@ -39,9 +39,7 @@ class Hybrid final : public Movement {
   };
 
   static Track track_of(std::span<const Claimant> claimants, const std::vector<Claim>& asked) {
-    const auto strongest =
-        std::ranges::max(asked, {}, [](const Claim& claim) { return claim.dominance.alpha; });
-    const double threshold = kClaimingAlpha * strongest.dominance.alpha;
+    const double threshold = claiming_threshold(asked);
     Track track;
     const Claim* last = nullptr;
     for (const auto& claim : asked) {

@@ -14,6 +14,9 @@ namespace bimodal::synth {
 /// know no degrees: time-locked and hybrid.
 inline constexpr double kClaimingAlpha = 0.1;
 
+/// The alpha above which a segment claims the control of these claims.
+[[nodiscard]] double claiming_threshold(const std::vector<Claim>& claims);
+
 /// A gesture of the time-locked account takes this long, over theta in 1/ms, from nothing to full
 /// (a raised cosine). Then it rises from 10 to 90 % in 2.2 / theta, as two equal dominances that
 /// cross do.
@@ -50,10 +53,11 @@ struct Yielding {
 [[nodiscard]] std::unique_ptr<const Movement> look_ahead(std::span<const Claimant> claimants,
                                                          const ControlClaims& claims);
 
-/// Coproduction: the gesture of each segment rises over kGestureExtent / theta_before before the
+/// Coproduction: the gesture of each claimant rises over kGestureExtent / theta_before before the
 /// segment's acoustic onset, stays until its end and falls over kGestureExtent / theta_after; where
 /// gestures overlap, a control is their mean, weighted by alpha. So a gesture begins a fixed time
-/// before its sound, whatever stands there.
+/// before its sound, whatever stands there. What no gesture claims is as the segments without claim
+/// have it, on straight lines between their middles.
 [[nodiscard]] std::unique_ptr<const Movement> time_locked(std::span<const Claimant> claimants,
                                                           const ControlClaims& claims);
 

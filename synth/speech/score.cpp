@@ -76,8 +76,8 @@ std::vector<Claim> claims_on(const std::string& name,
 }  // namespace
 
 bool Score::is_complete() const {
-  return std::ranges::all_of(
-      segments, [](const ScoreSegment& segment) { return !segment.controls.empty(); });
+  return std::ranges::all_of(segments,
+                             [](const ScoreSegment& segment) { return !segment.controls.empty(); });
 }
 
 Score score_of(std::span<const TimedSegment> utterance) {
@@ -104,7 +104,10 @@ std::unique_ptr<const Movement> ScoreClaims::movement(Account account) const {
   return synth::movement(account, claimants, claims);
 }
 
-ScoreClaims claims_of(const Score& score, const SegmentTable& table) {
+namespace {
+
+/// `table` is null where the score is complete.
+ScoreClaims claims_by(const Score& score, const SegmentTable* table) {
   assert(!score.segments.empty());
   const auto parts = parts_of(score);
   ScoreClaims made;
@@ -119,7 +122,7 @@ ScoreClaims claims_of(const Score& score, const SegmentTable& table) {
   for (const auto& segment : score.segments) {
     for (const auto& [name, ignored] : segment.controls) own.insert(name);
   }
-  const bool asks_inventory = !score.is_complete();
+  const bool asks_inventory = table != nullptr;
   for (const auto& name : own) {
     if (!asks_inventory || !control_from_name(name)) made.controls.push_back(name);
   }
@@ -131,9 +134,20 @@ ScoreClaims claims_of(const Score& score, const SegmentTable& table) {
     }
   }
   for (const auto& name : made.controls) {
-    made.claims.push_back(claims_on(name, parts, asks_inventory ? &table : nullptr));
+    made.claims.push_back(claims_on(name, parts, table));
   }
   return made;
+}
+
+}  // namespace
+
+ScoreClaims claims_of(const Score& score, const SegmentTable& table) {
+  return claims_by(score, score.is_complete() ? nullptr : &table);
+}
+
+ScoreClaims claims_of(const Score& score) {
+  assert(score.is_complete());
+  return claims_by(score, nullptr);
 }
 
 }  // namespace bimodal::synth

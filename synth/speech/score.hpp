@@ -68,9 +68,9 @@ inline constexpr double kFastestRate = 3.0;
 /// What the segments of a score claim of each control.
 struct ScoreClaims {
   std::vector<std::string> controls;  ///< the score's own by name, then the face's speech controls
-  std::vector<Claimant> claimants;    ///< the segments; diphthongs as two, neighbouring rests as one
-  std::vector<std::string> symbols;   ///< of the claimants
-  ControlClaims claims;               ///< one row per control
+  std::vector<Claimant> claimants;   ///< the segments; diphthongs as two, neighbouring rests as one
+  std::vector<std::string> symbols;  ///< of the claimants
+  ControlClaims claims;              ///< one row per control
   Milliseconds end{};
 
   [[nodiscard]] std::unique_ptr<const Movement> movement(Account account) const;
@@ -78,5 +78,8 @@ struct ScoreClaims {
 
 /// Precondition: the score has segments.
 [[nodiscard]] ScoreClaims claims_of(const Score& score, const SegmentTable& table);
+
+/// The same of a complete score.
+[[nodiscard]] ScoreClaims claims_of(const Score& score);
 
 }  // namespace bimodal::synth

@@ -43,7 +43,8 @@ class ScoreReader {
     ObjectReader reader{root, "", findings_};
     static_cast<void>(reader.find("about"));
     read_definitions(reader);
-    reader.require("segments", "the list of segments, e.g. [{\"symbol\": \"S\", \"duration_ms\": 140}]");
+    reader.require("segments",
+                   "the list of segments, e.g. [{\"symbol\": \"S\", \"duration_ms\": 140}]");
     for (const auto& [value, pointer] : reader.items("segments", 1, kMostSegments)) {
       read_segment(*value, pointer);
     }

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <span>
 
+#include "synth/speech/knot_path.hpp"
 #include "synth/speech/rival_movements.hpp"
 
 namespace bimodal::synth {
@@ -24,11 +25,9 @@ struct Gesture {
   double target;
 
   [[nodiscard]] double weight(double time_ms) const {
-    if (time_ms < full && !std::isinf(begin)) {
-      return alpha * rise((time_ms - begin) / (full - begin));
-    }
-    if (time_ms <= fall || std::isinf(end)) return alpha;
-    return alpha * rise((end - time_ms) / (end - fall));
+    if (time_ms < full && !std::isinf(begin)) return rise((time_ms - begin) / (full - begin));
+    if (time_ms <= fall || std::isinf(end)) return 1;
+    return rise((end - time_ms) / (end - fall));
   }
 };
 
@@ -51,31 +50,41 @@ class TimeLocked final : public Movement {
 
  private:
   struct Track {
-    std::vector<Gesture> gestures;  ///< by begin
+    std::vector<Gesture> gestures;  ///< of the claimants, by begin
     std::vector<double> ends;       ///< the latest of this gesture's and all before
+    KnotPath others;                ///< what is left to itself where no gesture is under way
     double lowest = 0;
     double highest = 0;
   };
 
   static Track track_of(std::span<const Claimant> claimants, const std::vector<Claim>& asked) {
     Track track;
+    const double threshold = claiming_threshold(asked);
+    KnotPath all;
     for (const auto& claim : asked) {
       const auto& claimant = claimants[claim.segment];
-      const double lead = extent(claim.dominance.theta_before);
-      const double lag = extent(claim.dominance.theta_after);
-      track.gestures.push_back({.begin = claimant.start.count() - lead,
-                                .full = claimant.start.count(),
-                                .fall = claimant.end.count(),
-                                .end = claimant.end.count() + lag,
-                                .alpha = claim.dominance.alpha,
-                                .target = claim.target});
+      const KnotPath::Knot knot{.time_ms = claimant.start.count() / 2 + claimant.end.count() / 2,
+                                .value = claim.target};
+      all.knots.push_back(knot);
+      if (claim.dominance.alpha <= threshold) {
+        track.others.knots.push_back(knot);
+        continue;
+      }
+      track.gestures.push_back(
+          {.begin = claimant.start.count() - extent(claim.dominance.theta_before),
+           .full = claimant.start.count(),
+           .fall = claimant.end.count(),
+           .end = claimant.end.count() + extent(claim.dominance.theta_after),
+           .alpha = claim.dominance.alpha,
+           .target = claim.target});
     }
+    if (track.others.knots.empty()) track.others = std::move(all);
     std::ranges::stable_sort(track.gestures, {}, &Gesture::begin);
     double latest = -std::numeric_limits<double>::infinity();
     for (const auto& gesture : track.gestures) {
       track.ends.push_back(latest = std::max(latest, gesture.end));
     }
-    const auto [lowest, highest] = std::ranges::minmax(track.gestures, {}, &Gesture::target);
+    const auto [lowest, highest] = std::ranges::minmax(asked, {}, &Claim::target);
     track.lowest = lowest.target;
     track.highest = highest.target;
     return track;
@@ -84,30 +93,27 @@ class TimeLocked final : public Movement {
   static double value(const Track& track, double time_ms) {
     const auto& gestures = track.gestures;
     const auto after = std::ranges::upper_bound(gestures, time_ms, {}, &Gesture::begin);
-    const auto begun = static_cast<std::size_t>(after - gestures.begin());
-    double sum = 0;
+    double activity = 0;
     double total = 0;
-    for (std::size_t i = begun; i-- > 0 && track.ends[i] > time_ms;) {
+    double sum = 0;
+    for (auto i = static_cast<std::size_t>(after - gestures.begin());
+         i-- > 0 && track.ends[i] > time_ms;) {
       if (gestures[i].end <= time_ms) continue;
       const double weight = gestures[i].weight(time_ms);
-      sum += weight * gestures[i].target;
-      total += weight;
+      activity += weight;
+      total += gestures[i].alpha * weight;
+      sum += gestures[i].alpha * weight * gestures[i].target;
     }
-    if (total > 0) return std::clamp(sum / total, track.lowest, track.highest);
-    return between_gestures(track, begun, time_ms);
+    const double left = left_to_itself(track.others, time_ms);
+    if (total <= 0) return left;
+    const double moved = std::lerp(left, sum / total, std::min(1.0, activity));
+    return std::clamp(moved, track.lowest, track.highest);
   }
 
-  /// Where no gesture is under way: the last one's target before, the next one's after, and a
-  /// straight line from one to the other.
-  static double between_gestures(const Track& track, std::size_t begun, double time_ms) {
-    const auto& gestures = track.gestures;
-    if (begun == 0) return gestures.front().target;
-    const auto ended = std::ranges::max_element(
-        gestures.begin(), gestures.begin() + static_cast<std::ptrdiff_t>(begun), {}, &Gesture::end);
-    if (begun == gestures.size()) return ended->target;
-    const auto& next = gestures[begun];
-    return std::lerp(
-        ended->target, next.target, (time_ms - ended->end) / (next.begin - ended->end));
+  static double left_to_itself(const KnotPath& others, double time_ms) {
+    const auto [knot, along] = others.place(time_ms);
+    const double from = others.knots[knot].value;
+    return along > 0 ? std::lerp(from, others.knots[knot + 1].value, along) : from;
   }
 
   std::vector<Track> tracks_;

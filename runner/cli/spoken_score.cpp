@@ -1,0 +1,89 @@
+#include "runner/cli/spoken_score.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "runner/cli/said_text.hpp"
+#include "stimuli/base/asset.hpp"
+#include "stimuli/base/error.hpp"
+#include "stimuli/words/plain_text.hpp"
+#include "synth/speech/durations.hpp"
+#include "synth/voice/voice.hpp"
+
+namespace bimodal::runner {
+
+namespace {
+
+std::vector<TimedSegment> timed_phones(const std::vector<Phone>& phones) {
+  return synth::timed(std::vector<Segment>(phones.begin(), phones.end()));
+}
+
+std::vector<TimedSegment> timed_by_festival(const SpokenOptions& options) {
+  const auto item = synth::Voice{options.voice}.speak(ascii_text(options.text));
+  std::vector<TimedSegment> segments;
+  for (const auto& phone : item.utterance.phones) {
+    segments.push_back({.segment = phone.phone, .start = phone.start, .duration = phone.duration});
+  }
+  return segments;
+}
+
+std::vector<TimedSegment> timed_segments(const SpokenOptions& options) {
+  if (options.from == "arpabet") return synth::typed_segments(options.text);
+  if (options.from != "text") {
+    return timed_phones(read_phones(options.text, notation_named(options.from)));
+  }
+  if (options.method == "festival") return timed_by_festival(options);
+  return timed_phones(joined(said_words(options.text, options.method)));
+}
+
+}  // namespace
+
+void add_spoken_options(CLI::App& verb, SpokenOptions& options) {
+  verb.add_option("SCORE|TEXT",
+                  options.text,
+                  "a text; a transcription with --from; or a score: a file that ends with .json")
+      ->required();
+  verb.add_option(
+          "--method",
+          options.method,
+          "how a text is read: dictionary (default), nrl (letter-to-sound rules), or festival, "
+          "which also times it; the others have intrinsic durations")
+      ->check(CLI::IsMember({"dictionary", "nrl", "festival"}));
+  verb.add_option("--from",
+                  options.from,
+                  "what TEXT is: text (default), arpabet (\"S:140 T:60 UW1:200\", durations in ms "
+                  "and stress where wanted), ipa, xsampa")
+      ->check(CLI::IsMember({"text", "arpabet", "ipa", "xsampa"}));
+  verb.add_option("--voice", options.voice, "Festival's voice: kal (default), slt")
+      ->check(CLI::IsMember({"kal", "slt"}));
+  verb.add_option(
+          "--rate", options.rate, "speaking rate: 2 halves all durations, 0.5 doubles them (1)")
+      ->check(CLI::Range(synth::kSlowestRate, synth::kFastestRate));
+  verb.add_option(
+      "--segments", options.segments, "inventory: a file, or the name of one that ships (english)");
+}
+
+synth::SegmentTable chosen_segments(const SpokenOptions& options) {
+  const auto& chosen = options.segments;
+  if (chosen.empty()) return synth::SegmentTable{asset("synth/assets/segments/english.json")};
+  if (std::filesystem::exists(chosen)) return synth::SegmentTable{chosen};
+  try {
+    return synth::SegmentTable{asset(fmt::format("synth/assets/segments/{}.json", chosen))};
+  } catch (const Error&) {
+    if (chosen.find('/') != std::string::npos) throw;
+    std::throw_with_nested(Error{fmt::format(
+        "there is neither a file '{0}' nor an inventory of that name; give a file, or english, or "
+        "leave --segments out",
+        chosen)});
+  }
+}
+
+synth::Score spoken_score(const SpokenOptions& options) {
+  const bool is_score = std::filesystem::path{options.text}.extension() == ".json";
+  return synth::at_rate(
+      is_score ? synth::read_score(options.text) : synth::score_of(timed_segments(options)),
+      options.rate);
+}
+
+}  // namespace bimodal::runner

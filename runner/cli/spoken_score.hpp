@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "synth/speech/score.hpp"
+
+namespace bimodal::runner {
+
+/// What is to be articulated, as the command line says it.
+struct SpokenOptions {
+  std::string text;  ///< a text, a transcription, or the name of a score
+  std::string method = "dictionary";
+  std::string from = "text";
+  std::string voice = "kal";
+  double rate = 1;
+  std::string segments;  ///< empty: English
+};
+
+/// Adds the positional argument and the options --method, --from, --voice, --rate, --segments.
+void add_spoken_options(CLI::App& verb, SpokenOptions& options);
+
+/// The inventory that the options choose: a file, or the name of one that ships. Throws Error
+/// listing every mistake in it.
+[[nodiscard]] synth::SegmentTable chosen_segments(const SpokenOptions& options);
+
+/// The score of what the options say, at their rate: a file whose name ends with ".json" is read, a
+/// text is said by the dictionary, by rules or by Festival, a transcription is taken as it is.
+/// Tells on standard error which words the dictionary lacks. Throws Error if it cannot be said.
+[[nodiscard]] synth::Score spoken_score(const SpokenOptions& options);
+
+}  // namespace bimodal::runner
