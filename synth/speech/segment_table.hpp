@@ -23,7 +23,7 @@ inline constexpr std::size_t kFaceSegmentCount = 39;
 /// What one segment asks of one control.
 struct SegmentTarget {
   double target = 0;            ///< T, in the control's unit; may lie beyond its range
-  Dominance dominance;          ///< alpha, theta before and after (1/ms); c = 1
+  Dominance dominance;          ///< an inflection is counted from the segment's centre
   Milliseconds offset{};        ///< t_o: peak of dominance, counted from the segment's centre
   std::string target_source;    ///< key of sources(): where `target` comes from
   std::string dynamics_source;  ///< key of sources(): where `dominance` and `offset` come from
@@ -37,15 +37,22 @@ struct SegmentTarget {
                                     const SegmentTarget& to,
                                     double share);
 
+using SegmentTargets =
+    std::array<std::array<SegmentTarget, kSpeechControlCount>, kFaceSegmentCount>;
+
 /// Target and dominance of every segment for every speech control: the language's articulation as
 /// data, synth/assets/segments/english.json.
 ///
 /// The file is `{"about": [...], "sources": {key: reference}, "groups": {name: {"columns": [...],
 /// "rows": {"P B M": [...]}}}}`. A group holds controls that move with the same dynamics; its
 /// columns are alpha, theta_before, theta_after (1/ms), offset_ms, dynamics (a source), targets (a
-/// source), and then one target per control. A row's key names one segment or several, parted by
-/// spaces. Nothing has a default: each segment has a row in each group, and each speech control
-/// belongs to one group.
+/// source), where they are wanted exponent, inflection_ms and theta_early (both null where theta
+/// does not change), and then one target per control. A row's key names one segment or several,
+/// parted by spaces. "form": "critically damped" gives a group that form. Nothing else has a
+/// default: each segment has a row in each group, and each speech control belongs to one group.
+///
+/// A file with "extends": "english.json" changes another one: its groups have only the rows, and
+/// only the controls, that differ.
 class SegmentTable {
  public:
   /// Throws Error listing every mistake of the file, or that it cannot be read.
@@ -71,7 +78,7 @@ class SegmentTable {
   friend class SegmentTableReader;
   SegmentTable() = default;
 
-  std::array<std::array<SegmentTarget, kSpeechControlCount>, kFaceSegmentCount> targets_;
+  SegmentTargets targets_;
   std::map<std::string, std::string> sources_;
 };
 

@@ -242,5 +242,121 @@ TEST(SegmentTable, ThrowsWithFileAndFindingsWhenLoadedFromABadFile) {
   std::filesystem::remove(file);
 }
 
+/// A file that extends English with one row for T in the group of protrusion.
+json variant(double alpha = 0.01) {
+  return {{"extends", "english.json"},
+          {"sources", {{"mine", "chosen by us for a test"}}},
+          {"groups",
+           {{"protrusion",
+             {{"columns",
+               {"alpha", "theta_before", "theta_after", "offset_ms", "dynamics", "targets",
+                "lip_protrusion"}},
+              {"rows", {{"T", {alpha, 0.011, 0.012, 3, "mine", "head", 0.5}}}}}}}}};
+}
+
+TEST(SegmentVariant, ChangesWhatItSetsAndKeepsTheRest) {
+  std::vector<Diagnostic> diagnostics;
+  const auto table = SegmentTable::parse(variant().dump(), "variant.json", diagnostics);
+  ASSERT_TRUE(table);
+  EXPECT_TRUE(diagnostics.empty());
+  const SegmentTable base{english()};
+  for (const Phone segment : all_phones().first(kFaceSegmentCount)) {
+    for (const auto& control : controls().first<kSpeechControlCount>()) {
+      const auto& asked = table->at(segment, control.control);
+      const bool is_changed = segment == T && control.control == Control::LipProtrusion;
+      EXPECT_EQ(asked.dominance == base.at(segment, control.control).dominance, !is_changed);
+      EXPECT_EQ(asked.dynamics_source == "mine", is_changed);
+    }
+  }
+  EXPECT_EQ(table->at(T, Control::LipProtrusion).target, 0.5);
+}
+
+TEST(SegmentVariant, OfTurkishPlateauShipsWithoutComplaint) {
+  const auto file = asset("synth/assets/segments/turkish-plateau.json");
+  std::vector<Diagnostic> diagnostics;
+  EXPECT_TRUE(SegmentTable::parse(read_file(file), file.string(), diagnostics));
+  EXPECT_TRUE(diagnostics.empty());
+}
+
+TEST(SegmentVariant, RefusesWhatItCannotExtend) {
+  auto tree = variant();
+  tree["extends"] = "klingon.json";
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("/extends: \"klingon.json\" cannot be read"));
+  tree["extends"] = 3;
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("/extends: 3 is not the name of a file"));
+}
+
+TEST(SegmentVariant, RefusesASourceOfTheSameNameAsTheFileThatItExtends) {
+  auto tree = variant();
+  tree["sources"]["lips"] = "others";
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("/sources/lips: the file that this one extends"));
+}
+
+TEST(SegmentVariant, RefusesFilesThatExtendEachOtherForEver) {
+  const auto folder = std::filesystem::path{testing::TempDir()};
+  const auto file = folder / "bimodal_circle.json";
+  auto tree = variant();
+  tree["extends"] = "bimodal_circle.json";
+  std::ofstream{file} << tree.dump();
+  std::vector<Diagnostic> diagnostics;
+  EXPECT_FALSE(SegmentTable::parse(tree.dump(), file.string(), diagnostics));
+  EXPECT_THAT(describe(diagnostics.front()), HasSubstr("extend each other"));
+}
+
+TEST(SegmentTable, ReadsFormExponentAndInflection) {
+  auto tree = variant();
+  auto& group = tree["groups"]["protrusion"];
+  group["form"] = "critically damped";
+  group["columns"] = {"alpha", "theta_before", "theta_after", "offset_ms", "dynamics", "targets",
+                      "exponent", "inflection_ms", "theta_early", "lip_protrusion"};
+  group["rows"] = {{"T", {1, 0.01, 0.02, 3, "mine", "head", 1, 68, 0.005, 0.5}},
+                   {"S", {1, 0.01, 0.02, 3, "mine", "head", 1.5, nullptr, nullptr, 0.5}}};
+  std::vector<Diagnostic> diagnostics;
+  const auto table = SegmentTable::parse(tree.dump(), "variant.json", diagnostics);
+  ASSERT_TRUE(table) << describe(diagnostics.front());
+  const auto& t = table->at(T, Control::LipProtrusion).dominance;
+  EXPECT_EQ(t.form, DominanceForm::CriticallyDamped);
+  EXPECT_EQ(t.inflection_ms, 68);
+  EXPECT_EQ(t.theta_early, 0.005);
+  EXPECT_EQ(table->at(S, Control::LipProtrusion).dominance.exponent, 1.5);
+  EXPECT_EQ(table->at(S, Control::LipProtrusion).dominance.inflection_ms,
+            Dominance::kNoInflection);
+
+  group["rows"]["T"] = {1, 0.01, 0.02, 3, "mine", "head", 2, 68, 0.005, 0.5};
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("another exponent than 1"));
+  group["rows"]["T"] = {1, 0.01, 0.02, 3, "mine", "head", 1, 68, nullptr, 0.5};
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("do not stand together"));
+  group["form"] = "square";
+  EXPECT_THAT(complaints(tree.dump()), HasSubstr("/form: \"square\" is not a form"));
+}
+
+TEST(Between, IsEachEndAtItsEndAndInProportionOnTheWay) {
+  const SegmentTable table{english()};
+  for (const auto& control : controls().first<kSpeechControlCount>()) {
+    const auto& b = table.at(B, control.control);
+    const auto& w = table.at(W, control.control);
+    EXPECT_EQ(table.at(Segment{B, W, 0, 8}, control.control).dominance, b.dominance);
+    EXPECT_EQ(table.at(Segment{B, W, 8, 8}, control.control).target, w.target);
+    const auto part = table.at(Segment{B, W, 3, 8}, control.control);
+    EXPECT_NEAR(part.target, b.target + 0.375 * (w.target - b.target), 1e-12);
+    EXPECT_NEAR(part.dominance.alpha,
+                b.dominance.alpha + 0.375 * (w.dominance.alpha - b.dominance.alpha), 1e-12);
+    EXPECT_NEAR(part.offset.count(),
+                b.offset.count() + 0.375 * (w.offset.count() - b.offset.count()), 1e-12);
+  }
+}
+
+TEST(Between, GivesASegmentWithoutInflectionTheOthersPlaceWithItsOwnTheta) {
+  SegmentTarget plain{.dominance = {.theta_before = 0.02, .theta_after = 0.02}};
+  SegmentTarget inflected{.dominance = {.theta_before = 0.04,
+                                        .theta_after = 0.02,
+                                        .inflection_ms = 68,
+                                        .theta_early = 0.01}};
+  const auto half = between(plain, inflected, 0.5).dominance;
+  EXPECT_DOUBLE_EQ(half.inflection_ms, 68);
+  EXPECT_DOUBLE_EQ(half.theta_early, 0.015);
+  EXPECT_DOUBLE_EQ(half.theta_before, 0.03);
+}
+
 }  // namespace
 }  // namespace bimodal::synth
