@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/said_text.hpp"
+#include "runner/cli/segments_verbs.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/words/plain_text.hpp"
@@ -61,22 +62,23 @@ void add_spoken_options(CLI::App& verb, SpokenOptions& options) {
           "--rate", options.rate, "speaking rate: 2 halves all durations, 0.5 doubles them (1)")
       ->check(CLI::Range(synth::kSlowestRate, synth::kFastestRate));
   verb.add_option(
-      "--segments", options.segments, "inventory: a file, or the name of one that ships (english)");
+      "--segments", options.segments, "inventory: a file, or english (default), turkish-plateau");
+}
+
+std::filesystem::path segments_file(const std::string& chosen) {
+  if (std::filesystem::exists(chosen)) return chosen;
+  try {
+    return asset(fmt::format("synth/assets/segments/{}.json", chosen));
+  } catch (const Error&) {
+    throw Error{fmt::format(
+        "there is neither a file '{}' nor an inventory of that name; give a file, or one that "
+        "ships: english, turkish-plateau",
+        chosen)};
+  }
 }
 
 synth::SegmentTable chosen_segments(const SpokenOptions& options) {
-  const auto& chosen = options.segments;
-  if (chosen.empty()) return synth::SegmentTable{asset("synth/assets/segments/english.json")};
-  if (std::filesystem::exists(chosen)) return synth::SegmentTable{chosen};
-  try {
-    return synth::SegmentTable{asset(fmt::format("synth/assets/segments/{}.json", chosen))};
-  } catch (const Error&) {
-    if (chosen.find('/') != std::string::npos) throw;
-    std::throw_with_nested(Error{fmt::format(
-        "there is neither a file '{0}' nor an inventory of that name; give a file, or english, or "
-        "leave --segments out",
-        chosen)});
-  }
+  return synth::SegmentTable{segments_file(options.segments)};
 }
 
 synth::Score spoken_score(const SpokenOptions& options) {

@@ -16,7 +16,7 @@ struct SpokenOptions {
   std::string from = "text";
   std::string voice = "kal";
   double rate = 1;
-  std::string segments;  ///< empty: English
+  std::string segments = "english";
 };
 
 /// Adds the positional argument and the options --method, --from, --voice, --rate, --segments.

@@ -48,8 +48,7 @@ void SegmentGroups::read(const json& group, const std::string& pointer) {
   }
   for (const auto& [key, ignored] : group.items()) {
     if (key != "columns" && key != "rows" && key != "form") {
-      findings_.error(
-          child(pointer, key), "is not a known key", "known are: columns, rows, form");
+      findings_.error(child(pointer, key), "is not a known key", "known are: columns, rows, form");
     }
   }
   const auto columns = read_columns(group, pointer);
@@ -106,10 +105,9 @@ SegmentGroups::Columns SegmentGroups::read_columns(const json& group, const std:
     const auto control =
         name.is_string() ? control_from_name(name.get_ref<const std::string&>()) : std::nullopt;
     if (!control || static_cast<std::size_t>(*control) >= kSpeechControlCount) {
-      findings_.error(
-          child(where, fmt::to_string(i)),
-          name.dump() + " is not a control that speech sets",
-          fmt::format("known are: {}", fmt::join(speech_control_names(), ", ")));
+      findings_.error(child(where, fmt::to_string(i)),
+                      name.dump() + " is not a control that speech sets",
+                      fmt::format("known are: {}", fmt::join(speech_control_names(), ", ")));
     } else if (!grouped_.insert(*control).second) {
       findings_.error(child(where, fmt::to_string(i)),
                       name.dump() + " stands in two groups or twice",
@@ -214,8 +212,7 @@ std::vector<Phone> SegmentGroups::read_segments(const std::string& segments,
     }
   }
   if (segments.find_first_not_of(' ') == std::string::npos) {
-    findings_.error(
-        pointer, "names no segment", "write segments as P, IY, rest, parted by spaces");
+    findings_.error(pointer, "names no segment", "write segments as P, IY, rest, parted by spaces");
   }
   return phones;
 }
@@ -253,10 +250,9 @@ void SegmentGroups::set(Phone phone,
                         const SegmentTarget& asked,
                         const std::string& pointer) {
   if (!set_.insert({phone, control}).second) {
-    findings_.error(
-        pointer,
-        fmt::format("{} has {} set already", symbol(phone), describe(control).name),
-        "keep one row for each segment in a group");
+    findings_.error(pointer,
+                    fmt::format("{} has {} set already", symbol(phone), describe(control).name),
+                    "keep one row for each segment in a group");
     return;
   }
   targets_.at(static_cast<std::size_t>(phone)).at(static_cast<std::size_t>(control)) = asked;

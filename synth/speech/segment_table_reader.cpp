@@ -27,9 +27,7 @@ constexpr std::size_t kMostExtensions = 8;
 class SegmentTableReader {
  public:
   /// `depth`: how many files extend this one.
-  SegmentTableReader(std::string_view file,
-                     std::vector<Diagnostic>& diagnostics,
-                     std::size_t depth)
+  SegmentTableReader(std::string_view file, std::vector<Diagnostic>& diagnostics, std::size_t depth)
       : file_{file}, diagnostics_{diagnostics}, depth_{depth} {}
 
   std::optional<SegmentTable> read(std::string_view text) {
@@ -55,10 +53,10 @@ class SegmentTableReader {
   /// The library would silently keep the last of several keys.
   void refuse_duplicates(const JsonLines& lines) {
     for (const auto& doubled : lines.duplicates()) {
-      findings_.error(doubled.pointer,
-                      fmt::format("the key stands twice in one object, first on line {}",
-                                  doubled.earlier_line),
-                      "keep one of them");
+      findings_.error(
+          doubled.pointer,
+          fmt::format("the key stands twice in one object, first on line {}", doubled.earlier_line),
+          "keep one of them");
     }
   }
 
@@ -96,7 +94,8 @@ class SegmentTableReader {
     }
     for (const auto& key : own_sources_) {
       if (!groups.used_sources().contains(key)) {
-        findings_.warning("/sources/" + escape_pointer(key), "no row uses this source", "remove it");
+        findings_.warning(
+            "/sources/" + escape_pointer(key), "no row uses this source", "remove it");
       }
     }
     if (!extends) everything_set(groups.set());
@@ -121,8 +120,8 @@ class SegmentTableReader {
     auto other = std::filesystem::path{file_}.parent_path() / written;
     try {
       if (!std::filesystem::exists(other)) other = asset("synth/assets/segments/" + written);
-      auto table = SegmentTableReader{other.string(), diagnostics_, depth_ + 1}.read(
-          read_file(other));
+      auto table =
+          SegmentTableReader{other.string(), diagnostics_, depth_ + 1}.read(read_file(other));
       if (table) {
         table_ = *std::move(table);
         return;
@@ -168,10 +167,9 @@ class SegmentTableReader {
                         fmt::format("no group has the control {}", control.name),
                         "add it to a group's columns and rows");
       } else {
-        findings_.error(
-            "/groups",
-            fmt::format("{} is not set for {}", control.name, fmt::join(missing, ", ")),
-            "add rows for these segments");
+        findings_.error("/groups",
+                        fmt::format("{} is not set for {}", control.name, fmt::join(missing, ", ")),
+                        "add rows for these segments");
       }
     }
   }

@@ -16,6 +16,7 @@ set(rules
   "synth"               "\"(runner|protocols|analysis)/|<(SDL|portaudio|sndfile|sqlite3)"
   "synth/speech"        "\"synth/(face|voice|render|image|studio)/|<(OpenMesh|epoxy|GL/|festival)"
   "synth/figures"       "\"synth/(face|voice|render|image|studio)/|<(cairo|nlohmann)"
+  "synth/inspection"    "\"synth/(voice|render|image|studio)/"
   "synth/face"          "\"synth/(voice|render|studio)/|<(epoxy|GL/|festival)"
   "synth/voice"         "\"synth/(face|render|studio)/|<(OpenMesh|epoxy|GL/)"
   "protocols"           "\"(runner|synth|analysis)/|<(SDL|portaudio|sndfile|GL/|sqlite3)"

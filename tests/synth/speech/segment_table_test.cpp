@@ -249,7 +249,12 @@ json variant(double alpha = 0.01) {
           {"groups",
            {{"protrusion",
              {{"columns",
-               {"alpha", "theta_before", "theta_after", "offset_ms", "dynamics", "targets",
+               {"alpha",
+                "theta_before",
+                "theta_after",
+                "offset_ms",
+                "dynamics",
+                "targets",
                 "lip_protrusion"}},
               {"rows", {{"T", {alpha, 0.011, 0.012, 3, "mine", "head", 0.5}}}}}}}}};
 }
@@ -307,8 +312,16 @@ TEST(SegmentTable, ReadsFormExponentAndInflection) {
   auto tree = variant();
   auto& group = tree["groups"]["protrusion"];
   group["form"] = "critically damped";
-  group["columns"] = {"alpha", "theta_before", "theta_after", "offset_ms", "dynamics", "targets",
-                      "exponent", "inflection_ms", "theta_early", "lip_protrusion"};
+  group["columns"] = {"alpha",
+                      "theta_before",
+                      "theta_after",
+                      "offset_ms",
+                      "dynamics",
+                      "targets",
+                      "exponent",
+                      "inflection_ms",
+                      "theta_early",
+                      "lip_protrusion"};
   group["rows"] = {{"T", {1, 0.01, 0.02, 3, "mine", "head", 1, 68, 0.005, 0.5}},
                    {"S", {1, 0.01, 0.02, 3, "mine", "head", 1.5, nullptr, nullptr, 0.5}}};
   std::vector<Diagnostic> diagnostics;
@@ -319,8 +332,7 @@ TEST(SegmentTable, ReadsFormExponentAndInflection) {
   EXPECT_EQ(t.inflection_ms, 68);
   EXPECT_EQ(t.theta_early, 0.005);
   EXPECT_EQ(table->at(S, Control::LipProtrusion).dominance.exponent, 1.5);
-  EXPECT_EQ(table->at(S, Control::LipProtrusion).dominance.inflection_ms,
-            Dominance::kNoInflection);
+  EXPECT_EQ(table->at(S, Control::LipProtrusion).dominance.inflection_ms, Dominance::kNoInflection);
 
   group["rows"]["T"] = {1, 0.01, 0.02, 3, "mine", "head", 2, 68, 0.005, 0.5};
   EXPECT_THAT(complaints(tree.dump()), HasSubstr("another exponent than 1"));
@@ -340,18 +352,19 @@ TEST(Between, IsEachEndAtItsEndAndInProportionOnTheWay) {
     const auto part = table.at(Segment{B, W, 3, 8}, control.control);
     EXPECT_NEAR(part.target, b.target + 0.375 * (w.target - b.target), 1e-12);
     EXPECT_NEAR(part.dominance.alpha,
-                b.dominance.alpha + 0.375 * (w.dominance.alpha - b.dominance.alpha), 1e-12);
+                b.dominance.alpha + 0.375 * (w.dominance.alpha - b.dominance.alpha),
+                1e-12);
     EXPECT_NEAR(part.offset.count(),
-                b.offset.count() + 0.375 * (w.offset.count() - b.offset.count()), 1e-12);
+                b.offset.count() + 0.375 * (w.offset.count() - b.offset.count()),
+                1e-12);
   }
 }
 
 TEST(Between, GivesASegmentWithoutInflectionTheOthersPlaceWithItsOwnTheta) {
   SegmentTarget plain{.dominance = {.theta_before = 0.02, .theta_after = 0.02}};
-  SegmentTarget inflected{.dominance = {.theta_before = 0.04,
-                                        .theta_after = 0.02,
-                                        .inflection_ms = 68,
-                                        .theta_early = 0.01}};
+  SegmentTarget inflected{
+      .dominance = {
+          .theta_before = 0.04, .theta_after = 0.02, .inflection_ms = 68, .theta_early = 0.01}};
   const auto half = between(plain, inflected, 0.5).dominance;
   EXPECT_DOUBLE_EQ(half.inflection_ms, 68);
   EXPECT_DOUBLE_EQ(half.theta_early, 0.015);
