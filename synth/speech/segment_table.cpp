@@ -1,5 +1,6 @@
 #include "synth/speech/segment_table.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -61,7 +62,17 @@ const SegmentTarget& SegmentTable::at(Phone segment, Control control) const {
 }
 
 SegmentTarget SegmentTable::at(const Segment& segment, Control control) const {
-  return between(at(segment.from, control), at(segment.to, control), segment.share());
+  const auto& from = at(segment.from, control);
+  const auto& to = at(segment.to, control);
+  if (segment.step == 0 || segment.step == segment.steps) {
+    return between(from, to, segment.share());
+  }
+  const auto& range = describe(control);
+  auto reached = from;
+  auto other = to;
+  reached.target = std::clamp(from.target, range.lowest, range.highest);
+  other.target = std::clamp(to.target, range.lowest, range.highest);
+  return between(reached, other, segment.share());
 }
 
 }  // namespace bimodal::synth
