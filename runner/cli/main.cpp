@@ -76,6 +76,7 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
   bimodal::runner::add_align(app, verb);
   bimodal::runner::add_phones(app, verb);
   bimodal::runner::add_tracks(app, verb);
+  bimodal::runner::add_continuum(app, verb);
   bimodal::runner::add_segments(app, verb);
   bimodal::runner::add_figures(app, verb);
   bimodal::runner::add_labels(app, verb);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/face_view.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/preparation/repertoire.hpp"
 #include "stimuli/audio/sound_file.hpp"
@@ -28,8 +29,7 @@ struct RenderOptions {
   std::string strip;
   std::string frames;
   std::string sound;
-  std::string view = "front";
-  int height = 720;
+  ViewOptions view;
   double rate_hz = 60.0;
 };
 
@@ -58,18 +58,6 @@ Pronunciation pronunciation(const RenderOptions& options) {
     phones.push_back(*phone);
   }
   return phones;
-}
-
-synth::View view_of(const RenderOptions& options) {
-  const auto height = static_cast<std::size_t>(options.height);
-  synth::View view{.width = height * 8 / 9, .height = height};
-  if (options.view == "threequarter") view.yaw_deg = 38.0;
-  if (options.view == "side") view.yaw_deg = 90.0;
-  if (options.view == "mouth") {
-    view.centre_y_mm = -70.0;
-    view.field_mm = 120.0;
-  }
-  return view;
 }
 
 /// Pictures of one size side by side.
@@ -127,7 +115,7 @@ ExitCode render(const RenderOptions& options) {
   const synth::SegmentTable segments{asset("synth/assets/segments/english.json")};
   const synth::Articulation articulation{spoken.utterance, segments};
   const synth::Head head{asset("synth/assets/head")};
-  synth::HeadRenderer renderer{head, view_of(options)};
+  synth::HeadRenderer renderer{head, face_view(options.view)};
   if (!options.strip.empty()) write_strip(options, spoken.utterance, articulation, renderer);
   if (!options.frames.empty()) write_frames(options, articulation, renderer);
   return ExitCode::Done;
@@ -153,10 +141,7 @@ void add_render(CLI::App& app, Verb& chosen) {
   verb->add_option("--frames", options->frames, "folder for one PNG a frame");
   verb->add_option("--sound", options->sound, "WAV file of the spoken word");
   verb->add_option("--rate", options->rate_hz, "frames a second (60)")->check(CLI::Range(1, 1000));
-  verb->add_option("--view", options->view, "front (default), threequarter, side or mouth")
-      ->check(CLI::IsMember({"front", "threequarter", "side", "mouth"}));
-  verb->add_option("--height", options->height, "of a picture in pixels (720)")
-      ->check(CLI::Range(32, 4096));
+  add_view_options(*verb, options->view);
   verb->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }
 

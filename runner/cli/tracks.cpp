@@ -105,7 +105,8 @@ void add_tracks(CLI::App& app, Verb& chosen) {
   json->excludes(svg);
   verb->add_flag("--dominance", options->dominance, "also the dominance of each segment");
   verb->add_option("--controls", options->controls, "only these, e.g. jaw,lip_width")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   std::string accounts = "account of coarticulation: ";
   for (const auto& row : synth::accounts()) accounts += fmt::format("{}; ", row.name);
   verb->add_option("--account", options->account, accounts + "the first is the default")

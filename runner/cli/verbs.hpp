@@ -19,6 +19,7 @@ void add_align(CLI::App& app, Verb& chosen);
 void add_phones(CLI::App& app, Verb& chosen);
 void add_figures(CLI::App& app, Verb& chosen);
 void add_segments(CLI::App& app, Verb& chosen);
+void add_continuum(CLI::App& app, Verb& chosen);
 void add_tracks(CLI::App& app, Verb& chosen);
 void add_labels(CLI::App& app, Verb& chosen);
 void add_stimuli(CLI::App& app, Verb& chosen);

@@ -28,12 +28,6 @@ constexpr int kMostTracks = 64;
 /// Even raw sound in packets of a millisecond has no more in kLongestMedia; each packet has a byte.
 constexpr std::int64_t kMostPackets = 4LL * kLongestMedia / std::chrono::milliseconds{1};
 
-/// FFmpeg would print to the terminal; what matters is in our messages.
-void be_silent() {
-  static const bool once = (av_log_set_level(AV_LOG_QUIET), true);
-  (void)once;
-}
-
 /// Whatever else a file wants to open is none of its business.
 int open_nothing(AVFormatContext*, AVIOContext**, const char*, int, AVDictionary**) {
   return AVERROR(EPERM);
@@ -152,7 +146,7 @@ void require_size(const AVStream& picture, const std::filesystem::path& file) {
 
 Container::Container(const std::filesystem::path& file)
     : file_{file}, input_{file}, packets_left_{std::min(kMostPackets, input_.size() + 1000)} {
-  be_silent();
+  libav::be_silent();
   format_ = opened(input_, file);
   picture_ = track_of(*format_, AVMEDIA_TYPE_VIDEO);
   sound_ = track_of(*format_, AVMEDIA_TYPE_AUDIO);

@@ -15,6 +15,11 @@ extern "C" {
 
 namespace bimodal::libav {
 
+void be_silent() {
+  static const bool once = (av_log_set_level(AV_LOG_QUIET), true);
+  static_cast<void>(once);
+}
+
 Frame new_frame() {
   Frame made{av_frame_alloc()};
   if (!made) throw std::bad_alloc{};

@@ -58,6 +58,9 @@ template <typename Enumeration>
   return number;
 }
 
+/// FFmpeg would print to the terminal; what matters is in our messages.
+void be_silent();
+
 /// FFmpeg's own words for one of its error codes.
 [[nodiscard]] std::string words_of(int code);
 

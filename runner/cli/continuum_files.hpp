@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "runner/cli/face_view.hpp"
+#include "synth/face/head.hpp"
+#include "synth/speech/continuum.hpp"
+
+namespace bimodal::runner {
+
+/// The face of one token in the middle of the varied segment.
+struct TokenMiddle {
+  synth::Pose pose{};
+  synth::LipMeasures lips;
+};
+
+/// A continuum worked out: what its files are written from.
+struct Continuum {
+  std::vector<synth::ContinuumToken> tokens;
+  std::vector<synth::ScoreClaims> claims;  ///< one per token
+  std::vector<TokenMiddle> middles;        ///< one per token
+  synth::Account account = synth::Account::Dominance;
+};
+
+[[nodiscard]] Continuum worked_out(std::vector<synth::ContinuumToken> tokens,
+                                   const synth::SegmentTable& table,
+                                   synth::Account account,
+                                   const synth::Head& head);
+
+/// "token0" ... with as many digits as the last one needs.
+[[nodiscard]] std::string token_name(const Continuum& continuum, std::size_t token);
+
+/// tokens.csv: a row per token with its name, the lips' measures and every control in the middle.
+void write_token_table(const Continuum& continuum, const std::filesystem::path& folder);
+
+/// token0.csv ...: every control at 1000 Hz.
+void write_token_tracks(const Continuum& continuum, const std::filesystem::path& folder);
+
+/// controls.svg: the opening of the lips and every control that differs, in the middle, over the
+/// tokens. movements.svg: the same controls over time. `format`: "svg", "pdf" or "png".
+void write_token_plots(const Continuum& continuum,
+                       const std::string& title,
+                       const std::string& format,
+                       const std::filesystem::path& folder);
+
+/// strip.png: the middles side by side, the whole face above and the mouth below.
+void write_token_strip(const Continuum& continuum,
+                       const synth::Head& head,
+                       const ViewOptions& view,
+                       const std::filesystem::path& folder);
+
+/// token0.mp4 ...: silent videos. Tells on standard error how far it has come.
+void write_token_videos(const Continuum& continuum,
+                        const synth::Head& head,
+                        const ViewOptions& view,
+                        Hertz rate,
+                        const std::filesystem::path& folder);
+
+}  // namespace bimodal::runner
