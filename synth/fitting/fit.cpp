@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <memory>
-#include <numeric>
 
 #include <ceres/ceres.h>
 
@@ -77,8 +76,6 @@ Fit fit(std::span<const MeasuredClip> clips, const FitOptions& options) {
   for (std::size_t i = 0; i < clips.size(); ++i) {
     found.talkers.push_back(squares.talker(i, values));
   }
-  found.talker = std::accumulate(found.talkers.begin(), found.talkers.end(), 0.0) /
-                 static_cast<double>(clips.size());
   return found;
 }
 

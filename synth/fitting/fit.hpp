@@ -13,10 +13,10 @@ struct Fit {
   MeasureKind kind = MeasureKind::Position;
   std::vector<PartDynamics> dynamics;  ///< of every part of parts()
   std::vector<std::size_t> tokens;     ///< of each; 0: what its class or all parts say
-  std::vector<double> talkers;         ///< per clip, log gain or offset (see shown)
-  double talker = 0;                   ///< of somebody unknown: the mean
-  double cost = 0;                     ///< half the sum of the squares (FitProblem)
-  int steps = 0;                       ///< of the minimiser
+  /// Per clip, log gain or offset (see shown); their mean is 0, which is for somebody unknown.
+  std::vector<double> talkers;
+  double cost = 0;  ///< half the sum of the squares (FitProblem)
+  int steps = 0;    ///< of the minimiser
   bool converged = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace bimodal::synth {
 
@@ -59,7 +60,8 @@ FitParameters::FitParameters(std::span<const MeasuredClip> clips,
   }
   if (!options.own_talkers) return;
   first_talker_ = count();
-  for (std::size_t i = 0; i < clips.size(); ++i) add(options.spread.talker);
+  talkers_ = clips.size();
+  for (std::size_t i = 0; i < talkers_; ++i) add(options.spread.talker);
 }
 
 std::size_t FitParameters::add(std::optional<double> spread) {
@@ -120,9 +122,19 @@ void FitParameters::add_slopes(std::size_t part,
   add_to(slopes, at.log_theta_after, factor * gradient.log_theta_after);
 }
 
-std::optional<std::size_t> FitParameters::talker(std::size_t clip) const {
-  if (!first_talker_) return std::nullopt;
-  return *first_talker_ + clip;
+double FitParameters::talker(std::size_t clip, std::span<const double> values) const {
+  if (talkers_ == 0) return 0;
+  const auto own = values.subspan(first_talker_, talkers_);
+  return own[clip] - std::accumulate(own.begin(), own.end(), 0.0) / static_cast<double>(talkers_);
+}
+
+void FitParameters::add_talker_slope(std::size_t clip,
+                                     double slope,
+                                     std::span<double> slopes) const {
+  if (talkers_ == 0) return;
+  const auto own = slopes.subspan(first_talker_, talkers_);
+  for (double& one : own) one -= slope / static_cast<double>(talkers_);
+  own[clip] += slope;
 }
 
 }  // namespace bimodal::synth

@@ -38,8 +38,12 @@ class FitParameters {
                   double factor,
                   std::span<double> slopes) const;
 
-  /// The gain or offset of a clip; absent if talkers are alike.
-  [[nodiscard]] std::optional<std::size_t> talker(std::size_t clip) const;
+  /// The log gain, or the offset in sd, of a clip: its parameter minus the mean of all clips', so
+  /// that targets are those of the mean talker. 0 if talkers are alike.
+  [[nodiscard]] double talker(std::size_t clip, std::span<const double> values) const;
+
+  /// Adds to `slopes` those by a clip's log gain or offset.
+  void add_talker_slope(std::size_t clip, double slope, std::span<double> slopes) const;
 
   /// How often each part, by its index, occurs in the clips.
   [[nodiscard]] std::span<const std::size_t> tokens() const { return tokens_; }
@@ -70,7 +74,8 @@ class FitParameters {
   std::size_t common_offset_ = 0;
   Index common_log_theta_before_;
   Index common_log_theta_after_;
-  Index first_talker_;
+  std::size_t first_talker_ = 0;
+  std::size_t talkers_ = 0;  ///< clips with one of their own
 };
 
 }  // namespace bimodal::synth

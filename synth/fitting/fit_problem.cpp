@@ -48,9 +48,8 @@ FitProblem::FitProblem(std::span<const MeasuredClip> clips, const FitOptions& op
 }
 
 double FitProblem::talker(std::size_t clip, std::span<const double> values) const {
-  const auto place = parameters_.talker(clip);
-  if (!place) return 0;
-  return options_.kind == MeasureKind::Opening ? values[*place] : sd_ * values[*place];
+  const double own = parameters_.talker(clip, values);
+  return options_.kind == MeasureKind::Opening ? own : sd_ * own;
 }
 
 void FitProblem::evaluate_clip(std::size_t clip,
@@ -75,7 +74,7 @@ void FitProblem::evaluate_clip(std::size_t clip,
     for (std::size_t k = 0; k < spoken.size(); ++k) {
       parameters_.add_slopes(spoken[k].part, gradient[k], by_value / sd_, row);
     }
-    if (const auto place = parameters_.talker(clip)) row[*place] = opens ? predicted / sd_ : 1.0;
+    parameters_.add_talker_slope(clip, opens ? predicted / sd_ : 1.0, row);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <cassert>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace bimodal::synth {
 
@@ -17,7 +19,7 @@ std::vector<Agreement> leave_one_out(std::span<const MeasuredClip> clips,
       if (i != out) others.push_back(clips[i]);
     }
     const auto learnt = fit(others, options);
-    all.push_back(agreement(predicted(learnt, clips[out], learnt.talker), clips[out].values));
+    all.push_back(agreement(predicted(learnt, clips[out], 0), clips[out].values));
   }
   return all;
 }
@@ -28,30 +30,30 @@ Chosen choose(std::span<const MeasuredClip> clips,
               const std::function<void(const Chosen&)>& tell) {
   Chosen best;
   double best_r = -std::numeric_limits<double>::infinity();
-  const auto is_better = [&](const FitOptions& tried) {
-    Chosen one{.options = tried, .left_out = leave_one_out(clips, tried)};
-    const double r = over_clips(one.left_out).r.value_or(-1);
-    if (tell) tell(one);
+  std::set<std::pair<double, double>> tried;
+  const auto is_better = [&](const FitOptions& one) {
+    if (!tried.emplace(one.theta_per_ms.value_or(0), one.shrinkage).second) return false;
+    Chosen told{.options = one, .left_out = leave_one_out(clips, one)};
+    const double r = over_clips(told.left_out).r.value_or(-1);
+    if (tell) tell(told);
     if (r <= best_r) return false;
     best_r = r;
-    best = std::move(one);
+    best = std::move(told);
     return true;
   };
-  is_better(options);
-  bool improves = true;
+  bool improves = is_better(options);
   while (improves) {
     improves = false;
     for (const double theta : choice.thetas_per_ms) {
-      auto tried = best.options;
-      tried.theta_per_ms = theta;
-      if (tried.theta_per_ms != best.options.theta_per_ms) improves |= is_better(tried);
+      auto one = best.options;
+      one.theta_per_ms = theta;
+      improves |= is_better(one);
     }
     for (const double shrinkage : choice.shrinkages) {
-      auto tried = best.options;
-      tried.shrinkage = shrinkage;
-      if (shrinkage != best.options.shrinkage) improves |= is_better(tried);
+      auto one = best.options;
+      one.shrinkage = shrinkage;
+      improves |= is_better(one);
     }
-    if (choice.thetas_per_ms.empty()) break;
   }
   return best;
 }
