@@ -80,6 +80,8 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
   bimodal::runner::add_segments(app, verb);
   bimodal::runner::add_figures(app, verb);
   bimodal::runner::add_labels(app, verb);
+  bimodal::runner::add_fit_segments(app, verb);
+  bimodal::runner::add_validate_lips(app, verb);
   bimodal::runner::add_stimuli(app, verb);
   bimodal::runner::add_render(app, verb);
   bimodal::runner::add_devices(app, verb);

@@ -22,6 +22,8 @@ void add_segments(CLI::App& app, Verb& chosen);
 void add_continuum(CLI::App& app, Verb& chosen);
 void add_tracks(CLI::App& app, Verb& chosen);
 void add_labels(CLI::App& app, Verb& chosen);
+void add_fit_segments(CLI::App& app, Verb& chosen);
+void add_validate_lips(CLI::App& app, Verb& chosen);
 void add_stimuli(CLI::App& app, Verb& chosen);
 void add_render(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);

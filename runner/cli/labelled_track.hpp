@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "stimuli/timeline/utterance.hpp"
+#include "synth/fitting/track_file.hpp"
+
+namespace bimodal::runner {
+
+/// Measures of one recording, and what is said in it.
+struct LabelledTrack {
+  std::string name;  ///< of the recording: the file of measures without folder and ending
+  synth::Track track;
+  std::string labels;  ///< the label file
+  Utterance utterance;
+};
+
+/// The label file of each track: the one of the same name but for the ending. `labels` are files,
+/// or one folder of them; a single track may have a single label file of another name. Throws Error
+/// that lists the tracks without labels, and those of one name.
+[[nodiscard]] std::vector<std::filesystem::path> labels_of_tracks(
+    const std::vector<std::string>& tracks, const std::vector<std::string>& labels);
+
+/// Reads both. Throws Error as read_track and read_labels, or if there is no tier of phones.
+[[nodiscard]] LabelledTrack read_labelled_track(const std::filesystem::path& track,
+                                                const std::filesystem::path& labels,
+                                                const synth::TrackRequest& request);
+
+}  // namespace bimodal::runner
