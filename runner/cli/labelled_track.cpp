@@ -56,10 +56,11 @@ std::vector<fs::path> labels_of_tracks(const std::vector<std::string>& tracks,
   for (const auto& track : tracks) {
     const auto name = fs::path{track}.stem().string();
     if (const auto [other, is_new] = named.emplace(name, track); !is_new) {
-      complain(fmt::format("{}: a recording of this name, {}, is there already; give it once, or "
-                           "rename it with its labels",
-                           track,
-                           other->second));
+      complain(
+          fmt::format("{}: a recording of this name, {}, is there already; give it once, or "
+                      "rename it with its labels",
+                      track,
+                      other->second));
       continue;
     }
     const auto file =
