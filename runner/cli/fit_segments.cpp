@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
-#include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "runner/cli/fit_tables.hpp"
 #include "runner/cli/labelled_track.hpp"
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/verbs.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/draft.hpp"
@@ -49,21 +51,27 @@ std::optional<double> theta_value(const std::string& text) {
   return value;
 }
 
-const std::vector<std::pair<std::string, ThetaSharing>>& sharings() {
-  static const std::vector<std::pair<std::string, ThetaSharing>> kSharings{
-      {"best", ThetaSharing::One},
-      {"one", ThetaSharing::One},
-      {"sides", ThetaSharing::Sides},
-      {"class", ThetaSharing::Class},
-      {"class-sides", ThetaSharing::ClassAndSide}};
-  return kSharings;
+struct Sharing {
+  std::string_view name;
+  ThetaSharing theta;
+};
+
+constexpr std::array<Sharing, 5> kSharings{{{"best", ThetaSharing::One},
+                                            {"one", ThetaSharing::One},
+                                            {"sides", ThetaSharing::Sides},
+                                            {"class", ThetaSharing::Class},
+                                            {"class-sides", ThetaSharing::ClassAndSide}}};
+
+/// Absent if it is none of the names.
+std::optional<ThetaSharing> sharing_named(std::string_view name) {
+  const auto* const found = std::ranges::find(kSharings, name, &Sharing::name);
+  if (found == kSharings.end()) return std::nullopt;
+  return found->theta;
 }
 
 CLI::Validator theta_check() {
   return {[](std::string& text) -> std::string {
-            const auto known = std::ranges::any_of(
-                sharings(), [&](const auto& sharing) { return sharing.first == text; });
-            if (known || theta_value(text)) return {};
+            if (sharing_named(text) || theta_value(text)) return {};
             return fmt::format(
                 "\"{}\" is no theta; give best, one, sides, class, class-sides, or a number in "
                 "1/ms, e.g. 0.022",
@@ -81,9 +89,7 @@ MeasureKind kind_of(const std::string& column, const FitSegmentsOptions& options
 synth::FitOptions fit_options(const std::string& column, const FitSegmentsOptions& options) {
   synth::FitOptions how{.kind = kind_of(column, options), .own_talkers = !options.same_talker};
   how.theta_per_ms = theta_value(options.theta);
-  const auto sharing = std::ranges::find_if(
-      sharings(), [&](const auto& known) { return known.first == options.theta; });
-  if (sharing != sharings().end()) how.theta = sharing->second;
+  how.theta = sharing_named(options.theta).value_or(ThetaSharing::One);
   if (options.shrinkage >= 0) how.shrinkage = options.shrinkage;
   return how;
 }
@@ -285,7 +291,8 @@ void add_fit_segments(CLI::App& app, Verb& chosen) {
                  options->same_talker,
                  "all clips are of one talker: no gain and no offset for each");
   verb->add_option(
-      "-o,--output", options->output, "JSON file of the segments' definitions to be written");
+          "-o,--output", options->output, "JSON file of the segments' definitions to be written")
+      ->check(in_a_folder_that_exists());
   verb->callback([options, &chosen] { chosen = [options] { return fit_segments(*options); }; });
 }
 

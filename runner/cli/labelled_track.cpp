@@ -39,21 +39,28 @@ std::optional<fs::path> label_file_among(const std::vector<std::string>& files,
 
 std::vector<fs::path> labels_of_tracks(const std::vector<std::string>& tracks,
                                        const std::vector<std::string>& labels) {
-  if (tracks.size() == 1 && labels.size() == 1 && !fs::is_directory(labels.front())) {
-    return {labels.front()};
-  }
-  const bool in_folder = labels.size() == 1 && fs::is_directory(labels.front());
-  std::vector<fs::path> found;
-  std::map<std::string, std::string> named;
   std::string mistakes;
   const auto complain = [&](const std::string& mistake) {
     mistakes += (mistakes.empty() ? "" : "\n") + mistake;
   };
+  for (const auto* const files : {&tracks, &labels}) {
+    for (const auto& file : *files) {
+      if (!fs::exists(file)) complain(file + ": there is no such file; look at the spelling");
+    }
+  }
+  if (!mistakes.empty()) throw Error{mistakes};
+  const bool in_folder = labels.size() == 1 && fs::is_directory(labels.front());
+  if (tracks.size() == 1 && labels.size() == 1 && !in_folder) return {labels.front()};
+  std::vector<fs::path> found;
+  std::map<std::string, std::string> named;
   for (const auto& track : tracks) {
     const auto name = fs::path{track}.stem().string();
     if (const auto [other, is_new] = named.emplace(name, track); !is_new) {
       complain(
-          fmt::format("{}: has the name of {}; rename one, with its labels", track, other->second));
+          fmt::format("{}: a recording of this name, {}, is there already; give it once, or "
+                      "rename it with its labels",
+                      track,
+                      other->second));
       continue;
     }
     const auto file =
@@ -81,10 +88,10 @@ LabelledTrack read_labelled_track(const fs::path& track,
     for (const auto& one : read.tiers) names.push_back(fmt::format("\"{}\"", one.name));
     throw Error{fmt::format(
         "{}: no tier is named \"phones\" or the like; it has {}; let the tier of phones have that "
-        "name, or make one with: bimodal align SOUND --text \"...\" -o {}",
+        "name, or make one with: bimodal align SOUND --text \"...\" -o {}.TextGrid",
         labels.string(),
         names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),
-        labels.string())};
+        track.stem().string())};
   }
   try {
     return {.name = track.stem().string(),

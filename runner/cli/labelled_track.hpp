@@ -19,7 +19,7 @@ struct LabelledTrack {
 
 /// The label file of each track: the one of the same name but for the ending. `labels` are files,
 /// or one folder of them; a single track may have a single label file of another name. Throws Error
-/// that lists the tracks without labels, and those of one name.
+/// that lists the files that are not there, the tracks without labels, and those of one name.
 [[nodiscard]] std::vector<std::filesystem::path> labels_of_tracks(
     const std::vector<std::string>& tracks, const std::vector<std::string>& labels);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,16 @@ namespace bimodal::runner {
 
 [[nodiscard]] inline CLI::Validator seed_number() {
   return {[](std::string& text) { return whole_number_fault(text, Seed{0}); }, ""};
+}
+
+/// For a file that is to be written: told before long work, not after it.
+[[nodiscard]] inline CLI::Validator in_a_folder_that_exists() {
+  return {[](std::string& text) -> std::string {
+            const auto folder = std::filesystem::absolute(text).parent_path();
+            if (std::filesystem::is_directory(folder)) return {};
+            return "there is no folder " + folder.string() + "; make it first";
+          },
+          ""};
 }
 
 }  // namespace bimodal::runner

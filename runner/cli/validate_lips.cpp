@@ -10,6 +10,7 @@
 
 #include "runner/cli/lip_comparison.hpp"
 #include "runner/cli/lip_tables.hpp"
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/verbs.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/counted.hpp"
@@ -143,7 +144,8 @@ void add_validate_lips(CLI::App& app, Verb& chosen) {
   verb->add_option("--time-column", options->time_column, "its name ends in _ms or _s");
   verb->add_option("-o,--output",
                    options->output,
-                   "CSV file to be written: clip,phone,measure,quantity,n,value");
+                   "CSV file to be written: clip,phone,measure,quantity,n,value")
+      ->check(in_a_folder_that_exists());
   verb->callback([options, &chosen] { chosen = [options] { return validate_lips(*options); }; });
 }
 

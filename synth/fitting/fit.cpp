@@ -22,7 +22,7 @@ class AllResiduals final : public ceres::CostFunction {
     set_num_residuals(static_cast<int>(problem.residual_count()));
   }
 
-  bool Evaluate(double const* const* parameters,  // NOLINT(readability-identifier-naming): Ceres's
+  bool Evaluate(double const* const* parameters,
                 double* residuals,
                 double** jacobians) const override {
     const auto columns = problem_.parameter_count();

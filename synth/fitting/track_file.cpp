@@ -55,12 +55,16 @@ class TrackReader {
     const auto header = next_line();
     if (!header) fail("the file is empty", "begin with a line such as time_ms,inner_h,outer_w");
     names_ = fields_of(*header);
+    line_ = lines_.number();
     const auto first = next_line();
     if (!first) fail("there is no line below the names", "give a line for each instant");
     place_time();
     place_columns(fields_of(*first));
     end_if_faulty();
-    for (auto line = first; line; line = next_line()) add(fields_of(*line));
+    for (auto line = first; line; line = next_line()) {
+      line_ = lines_.number();
+      add(fields_of(*line));
+    }
     if (track_.time_ms.size() < 2) complain("there is one instant only", "give a line for each");
     end_if_faulty();
     return std::move(track_);
@@ -78,7 +82,7 @@ class TrackReader {
     ++complaints_;
     if (complaints_ > kMostMessages) return;
     if (!messages_.empty()) messages_ += '\n';
-    messages_ += fmt::format("{}:{}: {}; {}", name_, lines_.number(), finding, remedy);
+    messages_ += fmt::format("{}:{}: {}; {}", name_, line_, finding, remedy);
   }
 
   void end_if_faulty() const {
@@ -133,7 +137,10 @@ class TrackReader {
 
   void place_columns(const std::vector<std::string_view>& first) {
     for (const auto& name : request_.columns) {
-      if (const auto field = field_named(name)) {
+      const auto field = field_named(name);
+      if (std::ranges::find(places_, name, &Place::name) != places_.end()) {
+        complain(fmt::format("the column \"{}\" is asked for twice", name), "name it once");
+      } else if (field) {
         places_.push_back({.name = name, .field = *field});
       } else {
         complain(fmt::format("there is no column \"{}\"", name), known());
@@ -178,6 +185,7 @@ class TrackReader {
   }
 
   LineReader lines_;
+  std::size_t line_ = 1;  ///< that is being judged
   std::string name_;
   const TrackRequest& request_;
   std::vector<std::string_view> names_;

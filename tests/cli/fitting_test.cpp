@@ -102,6 +102,11 @@ TEST_F(FitSegments, TellsWhatIsWrongWithTracksAndLabels) {
       fit({"bad.csv", "--labels", "labels"}),
       ended(ExitCode::InvalidInput,
             AllOf(HasSubstr("bad.csv:3: inner_h \"nan\""), HasSubstr("bad.csv:4: the time"))));
+  EXPECT_THAT(fit({"t1.csv", "t7.csv", "--labels", "labels", "gone.lab"}),
+              ended(ExitCode::InvalidInput,
+                    AllOf(HasSubstr("t7.csv: there is no such file"), HasSubstr("gone.lab"))));
+  EXPECT_THAT(fit({"t1.csv", "lips/t1.csv", "--labels", "labels"}),
+              ended(ExitCode::InvalidInput, HasSubstr("a recording of this name, t1.csv")));
   EXPECT_THAT(fit({"t1.csv", "--labels", "labels", "--columns", "jaw"}),
               ended(ExitCode::InvalidInput,
                     AllOf(HasSubstr("no column \"jaw\""), HasSubstr("time_ms, inner_h, outer_w"))));
@@ -128,6 +133,8 @@ TEST_F(FitSegments, WrongUsageEndsWithTwo) {
   EXPECT_THAT(fit({"t1.csv"}), ended(ExitCode::Usage, HasSubstr("--labels")));
   EXPECT_THAT(fit({"t1.csv", "--labels", "labels", "--theta", "fast"}),
               ended(ExitCode::Usage, HasSubstr("\"fast\" is no theta")));
+  EXPECT_THAT(fit({"t1.csv", "--labels", "labels", "-o", "gone/out.json"}),
+              ended(ExitCode::Usage, HasSubstr("there is no folder")));
   EXPECT_THAT(fit({"t1.csv", "--labels", "labels", "--theta", "-0.02"}),
               ended(ExitCode::Usage, HasSubstr("--theta")));
 }

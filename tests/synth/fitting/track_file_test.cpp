@@ -52,10 +52,12 @@ TEST(TrackFile, WithMissingColumnsNamesThemAndThoseThatItHas) {
   EXPECT_THAT(complaints("t,inner_h\n0,1\n1,2\n", {.columns = {"outer_w"}}),
               AllOf(HasSubstr("no column time_ms or time_s"),
                     HasSubstr("--time-column"),
-                    HasSubstr("no column \"outer_w\""),
+                    HasSubstr("x.csv:1: there is no column \"outer_w\""),
                     HasSubstr("the first line has t, inner_h")));
   EXPECT_THAT(complaints("t,inner_h\n0,1\n1,2\n", {.time_column = "t"}),
               HasSubstr("\"t\" tells no unit; let it end in _ms or _s"));
+  EXPECT_THAT(complaints("time_ms,x\n0,1\n1,2\n", {.columns = {"x", "x"}}),
+              HasSubstr("\"x\" is asked for twice"));
   EXPECT_THAT(complaints("time_ms,word\n0,a\n1,b\n"), HasSubstr("no column of numbers"));
 }
 
