@@ -14,7 +14,7 @@ namespace bimodal::synth {
 enum class Varied : std::uint8_t { Target, Alpha, ThetaBefore, ThetaAfter, OffsetMs };
 
 struct VariedParameter {
-  Control control;
+  Control control = Control::Jaw;
   Varied parameter = Varied::Target;
 };
 
