@@ -119,8 +119,10 @@ void draw(const Figure& figure, FigureSize size, Canvas& canvas) {
   }
   const auto columns = std::max<std::size_t>(1, figure.columns);
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-    const PlotPoint corner{kMargin + static_cast<double>(i % columns) * figure.panel_width,
-                           top + static_cast<double>(i / columns) * figure.panel_height};
+    const auto row = i / columns;
+    const auto column = i % columns;
+    const PlotPoint corner{kMargin + static_cast<double>(column) * figure.panel_width,
+                           top + static_cast<double>(row) * figure.panel_height};
     paint_panel(figure.panels[i],
                 corner,
                 {.width = figure.panel_width, .height = figure.panel_height},

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-enum Articulator : std::size_t { Protrusion, Opening, Jaw, TipForward, TipUp, kArticulators };
+constexpr std::size_t kArticulators = 5;
 
 constexpr std::array<std::string_view, kArticulators> kNames{
     "lip protrusion", "lip opening", "jaw", "tongue tip forward", "tongue tip up"};

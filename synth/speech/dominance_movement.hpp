@@ -33,8 +33,8 @@ class DominanceMovement final : public Movement {
  private:
   /// The claims of a channel at one peak.
   struct Peak {
-    double time_ms;
-    double log_alpha;
+    double time_ms = 0;
+    double log_alpha = 0;
     Dominance dominance;
 
     bool operator==(const Peak&) const = default;
