@@ -283,6 +283,7 @@ void add_fit_segments(CLI::App& app, Verb& chosen) {
   verb->add_option("--shrinkage",
                    options->shrinkage,
                    "strength of the pull, 0 for none (chosen by --leave-one-out, else 0.5)")
+      ->check(finite_number())
       ->check(CLI::Range(0.0, 100.0));
   verb->add_flag("--leave-one-out",
                  options->leave_one_out,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -17,6 +18,17 @@ namespace bimodal::runner {
 
 [[nodiscard]] inline CLI::Validator seed_number() {
   return {[](std::string& text) { return whole_number_fault(text, Seed{0}); }, ""};
+}
+
+/// CLI::Range lets "nan" pass, since it is neither below nor above anything.
+[[nodiscard]] inline CLI::Validator finite_number() {
+  return {[](std::string& text) -> std::string {
+            double number = 0;
+            const bool is_number = CLI::detail::lexical_cast(text, number);
+            if (is_number && std::isfinite(number)) return {};
+            return "'" + text + "' is not a number";
+          },
+          ""};
 }
 
 /// For a file that is to be written: told before long work, not after it.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/said_text.hpp"
 #include "runner/cli/segments_verbs.hpp"
 #include "stimuli/base/asset.hpp"
@@ -60,6 +61,7 @@ void add_spoken_options(CLI::App& verb, SpokenOptions& options) {
       ->check(CLI::IsMember({"kal", "slt"}));
   verb.add_option(
           "--rate", options.rate, "speaking rate: 2 halves all durations, 0.5 doubles them (1)")
+      ->check(finite_number())
       ->check(CLI::Range(synth::kSlowestRate, synth::kFastestRate));
   verb.add_option(
       "--segments", options.segments, "inventory: a file, or english (default), turkish-plateau");

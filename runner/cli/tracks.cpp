@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/spoken_score.hpp"
 #include "runner/cli/verbs.hpp"
 #include "stimuli/base/draft.hpp"
@@ -97,6 +98,7 @@ void add_tracks(CLI::App& app, Verb& chosen) {
   auto options = std::make_shared<TracksOptions>();
   add_spoken_options(*verb, options->spoken);
   verb->add_option("--rate-hz", options->rate_hz, "instants a second (1000)")
+      ->check(finite_number())
       ->check(CLI::Range(1e-3, 1e6));
   auto* const csv = verb->add_flag("--csv", options->csv, "a table (default)");
   auto* const json = verb->add_flag("--json", options->json, "with the segments and their claims");

@@ -55,6 +55,10 @@ TEST_F(SpeechVerbs, TracksSayWhatIsWrong) {
               ended(ExitCode::InvalidInput, HasSubstr("none.json")));
   EXPECT_THAT(bimodal({"tracks", "stew", "--rate", "5"}),
               ended(ExitCode::Usage, HasSubstr("--rate")));
+  EXPECT_THAT(bimodal({"tracks", "stew", "--rate", "nan"}),
+              ended(ExitCode::Usage, HasSubstr("'nan' is not a number")));
+  EXPECT_THAT(bimodal({"tracks", "stew", "--rate-hz", "nan"}),
+              ended(ExitCode::Usage, HasSubstr("--rate-hz")));
   EXPECT_THAT(bimodal({"tracks", "stew", "-o", path("x.doc")}),
               ended(ExitCode::InvalidInput, HasSubstr(".svg")));
   EXPECT_THAT(bimodal({"tracks", ""}), ended(ExitCode::InvalidInput, HasSubstr("no words")));
