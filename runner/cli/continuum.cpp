@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 #include "runner/cli/continuum_files.hpp"
-#include "runner/cli/segments_verbs.hpp"
+#include "runner/cli/segments_file.hpp"
+#include "runner/cli/spoken_score.hpp"
 #include "runner/cli/text_table.hpp"
 #include "runner/cli/verbs.hpp"
 #include "stimuli/base/asset.hpp"
@@ -154,10 +155,7 @@ void add_continuum(CLI::App& app, Verb& chosen) {
   verb->add_option("--high", options->high, "value of --vary in the last token (1)");
   verb->add_option("-o,--output", options->output, "folder, made if it is not there")->required();
   verb->add_option("--segments", options->segments, "inventory: a file, or english (default)");
-  std::vector<std::string> names;
-  for (const auto& row : synth::accounts()) names.emplace_back(row.name);
-  verb->add_option("--account", options->account, "of coarticulation: dominance (default)")
-      ->check(CLI::IsMember(names));
+  add_account_option(*verb, options->account);
   add_view_options(*verb, options->view);
   verb->add_option("--rate-hz", options->rate_hz, "frames a second of the videos (60)")
       ->check(CLI::Range(1, 1000));

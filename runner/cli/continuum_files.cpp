@@ -13,34 +13,12 @@
 #include "stimuli/picture/drawing.hpp"
 #include "stimuli/video/video_writer.hpp"
 #include "synth/render/head_renderer.hpp"
+#include "synth/speech/score_articulation.hpp"
 #include "synth/speech/tracks.hpp"
 
 namespace bimodal::runner {
 
 namespace {
-
-/// The face at a time; controls that the score does not have are neutral.
-class MovingFace {
- public:
-  MovingFace(const synth::ScoreClaims& claims, synth::Account account)
-      : movement_{claims.movement(account)}, values_(claims.controls.size()) {
-    for (const auto& name : claims.controls) controls_.push_back(synth::control_from_name(name));
-  }
-
-  synth::Pose at(Milliseconds time) {
-    movement_->at(time, values_);
-    auto pose = synth::neutral_pose();
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (controls_[i]) synth::value(pose, *controls_[i]) = values_[i];
-    }
-    return pose;
-  }
-
- private:
-  std::unique_ptr<const synth::Movement> movement_;
-  std::vector<double> values_;
-  std::vector<std::optional<synth::Control>> controls_;
-};
 
 Milliseconds middle_of(const synth::ContinuumToken& token) {
   const auto& segment = token.score.segments[token.segment];
@@ -65,11 +43,6 @@ std::vector<synth::Control> differing(const Continuum& continuum) {
       controls.push_back(row.control);
   }
   return controls;
-}
-
-std::string label_of(synth::Control control) {
-  const auto& row = synth::describe(control);
-  return row.unit == "ratio" ? std::string{row.name} : fmt::format("{} ({})", row.name, row.unit);
 }
 
 /// From blue to red over the tokens.
@@ -97,7 +70,7 @@ Panel over_tokens(const Continuum& continuum,
 
 Panel over_time(const Continuum& continuum, synth::Control control) {
   const std::string name{synth::describe(control).name};
-  Panel panel{.title = name, .x_label = "time (ms)", .y_label = label_of(control)};
+  Panel panel{.title = name, .x_label = "time (ms)", .y_label = synth::name_with_unit(control)};
   for (std::size_t i = 0; i < continuum.tokens.size(); ++i) {
     const auto tracks =
         synth::sample(continuum.claims[i],
@@ -128,7 +101,7 @@ Continuum worked_out(std::vector<synth::ContinuumToken> tokens,
   for (const auto& token : continuum.tokens) {
     continuum.claims.push_back(synth::claims_of(token.score, table));
     auto& middle = continuum.middles.emplace_back();
-    middle.pose = MovingFace{continuum.claims.back(), account}.at(middle_of(token));
+    middle.pose = synth::ScoreArticulation{continuum.claims.back(), account}.at(middle_of(token));
     head.pose(middle.pose, posed);
     middle.lips = posed.lips;
   }
@@ -192,7 +165,7 @@ void write_token_plots(const Continuum& continuum,
                    .panels = {}};
   for (const auto control : controls) {
     middles.panels.push_back(
-        over_tokens(continuum, label_of(control), [=](const TokenMiddle& middle) {
+        over_tokens(continuum, synth::name_with_unit(control), [=](const TokenMiddle& middle) {
           return shown_value(middle, control);
         }));
     movements.panels.push_back(over_time(continuum, control));
@@ -256,7 +229,7 @@ void write_token_videos(const Continuum& continuum,
   for (std::size_t i = 0; i < continuum.tokens.size(); ++i) {
     if (tells) fmt::print(stderr, "\rvideo {} of {} ", i + 1, continuum.tokens.size());
     VideoWriter video{folder / (token_name(continuum, i) + ".mp4"), seen.width, seen.height, rate};
-    MovingFace face{continuum.claims[i], continuum.account};
+    synth::ScoreArticulation face{continuum.claims[i], continuum.account};
     for (std::int64_t frame = 0;; ++frame) {
       const Milliseconds time{static_cast<double>(frame) * 1e3 / rate.count()};
       if (time >= continuum.claims[i].end) break;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/protocol_file.hpp"
+#include "runner/cli/segments_file.hpp"
 #include "runner/cli/segments_verbs.hpp"
 #include "runner/cli/spoken_score.hpp"
 #include "runner/cli/text_table.hpp"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/segments_file.hpp"
 #include "runner/cli/segments_verbs.hpp"
 #include "runner/cli/text_table.hpp"
 #include "stimuli/base/asset.hpp"

@@ -6,9 +6,7 @@
 
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/said_text.hpp"
-#include "runner/cli/segments_verbs.hpp"
-#include "stimuli/base/asset.hpp"
-#include "stimuli/base/error.hpp"
+#include "runner/cli/segments_file.hpp"
 #include "stimuli/words/plain_text.hpp"
 #include "synth/speech/durations.hpp"
 #include "synth/voice/voice.hpp"
@@ -67,16 +65,14 @@ void add_spoken_options(CLI::App& verb, SpokenOptions& options) {
       "--segments", options.segments, "inventory: a file, or english (default), turkish-plateau");
 }
 
-std::filesystem::path segments_file(const std::string& chosen) {
-  if (std::filesystem::exists(chosen)) return chosen;
-  try {
-    return asset(fmt::format("synth/assets/segments/{}.json", chosen));
-  } catch (const Error&) {
-    throw Error{fmt::format(
-        "there is neither a file '{}' nor an inventory of that name; give a file, or one that "
-        "ships: english, turkish-plateau",
-        chosen)};
-  }
+void add_account_option(CLI::App& verb, std::string& account) {
+  std::vector<std::string> names;
+  for (const auto& row : synth::accounts()) names.emplace_back(row.name);
+  verb.add_option("--account",
+                  account,
+                  fmt::format("account of coarticulation: {}; the first is the default",
+                              fmt::join(names, ", ")))
+      ->check(CLI::IsMember(names));
 }
 
 synth::SegmentTable chosen_segments(const SpokenOptions& options) {

@@ -22,6 +22,9 @@ struct SpokenOptions {
 /// Adds the positional argument and the options --method, --from, --voice, --rate, --segments.
 void add_spoken_options(CLI::App& verb, SpokenOptions& options);
 
+/// Adds --account: one of synth::accounts() by its name, "dominance" by default.
+void add_account_option(CLI::App& verb, std::string& account);
+
 /// The inventory that the options choose: a file, or the name of one that ships. Throws Error
 /// listing every mistake in it.
 [[nodiscard]] synth::SegmentTable chosen_segments(const SpokenOptions& options);

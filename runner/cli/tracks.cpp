@@ -30,12 +30,6 @@ struct TracksOptions {
   std::string output;
 };
 
-std::vector<std::string> account_names() {
-  std::vector<std::string> names;
-  for (const auto& row : synth::accounts()) names.emplace_back(row.name);
-  return names;
-}
-
 /// "csv", "json", "svg", "pdf" or "png": as a flag says, or the name of the output ends.
 std::string form_of(const TracksOptions& options) {
   if (options.json) return "json";
@@ -109,10 +103,7 @@ void add_tracks(CLI::App& app, Verb& chosen) {
   verb->add_option("--controls", options->controls, "only these, e.g. jaw,lip_width")
       ->delimiter(',')
       ->allow_extra_args(false);
-  std::string accounts = "account of coarticulation: ";
-  for (const auto& row : synth::accounts()) accounts += fmt::format("{}; ", row.name);
-  verb->add_option("--account", options->account, accounts + "the first is the default")
-      ->check(CLI::IsMember(account_names()));
+  add_account_option(*verb, options->account);
   verb->add_option("-o,--output", options->output, "file (.csv, .json, .svg, .pdf, .png)");
   verb->callback([options, &chosen] { chosen = [options] { return tracks(*options); }; });
 }

@@ -10,9 +10,7 @@ namespace {
 
 std::string axis_label(const std::string& name) {
   const auto control = control_from_name(name);
-  if (!control) return name;
-  const auto unit = describe(*control).unit;
-  return unit == "ratio" ? name : name + " (" + std::string{unit} + ")";
+  return control ? name_with_unit(*control) : name;
 }
 
 Panel frame(const Tracks& tracks) {

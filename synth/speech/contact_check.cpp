@@ -38,14 +38,6 @@ Milliseconds longest_contact(const Articulation& articulation,
   return longest;
 }
 
-std::vector<TimedSegment> at_rate(std::vector<TimedSegment> segments, double rate) {
-  for (auto& timed : segments) {
-    timed.start /= rate;
-    timed.duration /= rate;
-  }
-  return segments;
-}
-
 class ContactCheck {
  public:
   explicit ContactCheck(const SegmentTable& table) : table_{table} {

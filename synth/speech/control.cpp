@@ -104,6 +104,13 @@ const ControlDescription& describe(Control control) {
   return kControls.at(static_cast<std::size_t>(control));
 }
 
+std::string name_with_unit(Control control) {
+  const auto& row = describe(control);
+  std::string text{row.name};
+  if (row.unit != "ratio") text += " (" + std::string{row.unit} + ")";
+  return text;
+}
+
 std::optional<Control> control_from_name(std::string_view name) {
   const auto* const found = std::ranges::find(kControls, name, &ControlDescription::name);
   if (found == kControls.end()) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace bimodal::synth {
@@ -64,6 +65,9 @@ struct ControlDescription {
 [[nodiscard]] std::span<const ControlDescription, kControlCount> controls();
 
 [[nodiscard]] const ControlDescription& describe(Control control);
+
+/// "jaw (deg)"; the name alone where the unit is a ratio: for axes and tables.
+[[nodiscard]] std::string name_with_unit(Control control);
 
 [[nodiscard]] std::optional<Control> control_from_name(std::string_view name);
 

@@ -138,6 +138,14 @@ std::vector<TimedSegment> timed(std::span<const Segment> segments) {
   return with_rest_around(std::move(made));
 }
 
+std::vector<TimedSegment> at_rate(std::vector<TimedSegment> segments, double rate) {
+  for (auto& timed : segments) {
+    timed.start /= rate;
+    timed.duration /= rate;
+  }
+  return segments;
+}
+
 std::vector<TimedSegment> typed_segments(std::string_view text) {
   std::vector<TimedSegment> segments;
   std::istringstream words{std::string{text}};

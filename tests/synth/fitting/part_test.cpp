@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "synth/speech/claims.hpp"
+#include "tests/synth/said_utterance.hpp"
 
 namespace bimodal::synth {
 namespace {
@@ -15,19 +16,6 @@ namespace {
 using namespace std::chrono_literals;
 using enum Phone;
 using testing::ElementsAre;
-
-struct Said {
-  Phone phone;
-  std::chrono::milliseconds duration;
-};
-
-Utterance utterance_of(const std::vector<Said>& sequence) {
-  Utterance utterance;
-  for (const auto& [phone, duration] : sequence) {
-    utterance.phones.push_back({.phone = phone, .start = utterance.end(), .duration = duration});
-  }
-  return utterance;
-}
 
 std::vector<std::string_view> names_of(const std::vector<SpokenPart>& spoken) {
   std::vector<std::string_view> names;

@@ -10,6 +10,7 @@
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/random.hpp"
 #include "synth/speech/claims.hpp"
+#include "tests/synth/said_utterance.hpp"
 
 namespace bimodal::synth {
 namespace {
@@ -20,19 +21,6 @@ using enum Phone;
 const SegmentTable& english() {
   static const SegmentTable table{asset("synth/assets/segments/english.json")};
   return table;
-}
-
-struct Said {
-  Phone phone;
-  std::chrono::milliseconds duration;
-};
-
-Utterance utterance_of(const std::vector<Said>& sequence) {
-  Utterance utterance;
-  for (const auto& [phone, duration] : sequence) {
-    utterance.phones.push_back({.phone = phone, .start = utterance.end(), .duration = duration});
-  }
-  return utterance;
 }
 
 Utterance random_utterance(Random& random) {

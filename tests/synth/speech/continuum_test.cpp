@@ -9,6 +9,7 @@
 
 #include "stimuli/base/asset.hpp"
 #include "synth/face/head.hpp"
+#include "synth/speech/score_articulation.hpp"
 
 namespace bimodal::synth {
 namespace {
@@ -23,15 +24,9 @@ const SegmentTable& english() {
 
 /// What the lips open to in the middle of the varied sound.
 double aperture_mm(const ContinuumToken& token, const Head& head, PosedHead& posed) {
-  const auto claims = claims_of(token.score, english());
-  std::vector<double> values(claims.controls.size());
   const auto& segment = token.score.segments[token.segment];
-  claims.movement(Account::Dominance)->at(segment.start + segment.duration / 2, values);
-  auto pose = neutral_pose();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    value(pose, control_from_name(claims.controls[i]).value()) = values[i];
-  }
-  head.pose(pose, posed);
+  ScoreArticulation articulation{claims_of(token.score, english())};
+  head.pose(articulation.at(segment.start + segment.duration / 2), posed);
   return posed.lips.inner_height_mm;
 }
 
