@@ -122,8 +122,9 @@ ExitCode continuum(const ContinuumOptions& options) {
 void add_continuum(CLI::App& app, Verb& chosen) {
   auto* const verb = app.add_subcommand(
       "continuum",
-      "Makes tokens from one sound to another in even steps, every parameter of the segment in\n"
-      "proportion; or along controls or dynamics of one sound. Writes for each token the movement\n"
+      "Makes tokens from one sound to another, the parameters of the segment in even steps (but\n"
+      "for contacts: synth/speech/README.md); or along controls or dynamics of one sound. Writes "
+      "for each token the movement\n"
       "of every control (CSV) and a video, and for all a table, plots over the steps and over\n"
       "time, and a strip of pictures of the middles.\n"
       "In protocols, scores and elsewhere a token is called as here, e.g. B~W:3/8.\n"
@@ -133,7 +134,7 @@ void add_continuum(CLI::App& app, Verb& chosen) {
       "  bimodal continuum iy uw --steps 5 --in \"B _ B\" --view mouth -o iu\n"
       "  bimodal continuum b --vary cheek_puff --low 0 --high 1 --steps 5 -o puffed\n"
       "  bimodal continuum b --vary lip_closure.theta_after,lip_compression.theta_after \\\n"
-      "      --low 0.015 --high 0.06 --in \"AA _ AA\" -o speed     speed of opening");
+      "      --low 0.025 --high 0.08 --in \"AA _ AA\" -o speed     speed of opening");
   auto options = std::make_shared<ContinuumOptions>();
   verb->add_option("SOUNDS", options->ends, "both ends, e.g. b w; or one, with --vary")
       ->required()

@@ -45,6 +45,18 @@ std::vector<synth::Control> differing(const Continuum& continuum) {
   return controls;
 }
 
+/// Controls of which the first and the last token ask something else.
+std::vector<synth::Control> asked_differently(const Continuum& continuum) {
+  const auto& first = continuum.claims.front();
+  const auto& last = continuum.claims.back();
+  std::vector<synth::Control> controls;
+  for (std::size_t i = 0; i < first.controls.size(); ++i) {
+    const auto control = synth::control_from_name(first.controls[i]);
+    if (control && first.claims[i] != last.claims[i]) controls.push_back(*control);
+  }
+  return controls;
+}
+
 /// From blue to red over the tokens.
 FigureColour shade(double place) {
   const auto red = static_cast<FigureColour>(0x20 + place * 0xC0);
@@ -154,8 +166,12 @@ void write_token_plots(const Continuum& continuum,
                        const std::string& title,
                        const std::string& format,
                        const std::filesystem::path& folder) {
-  const auto controls = differing(continuum);
-  Figure middles{.title = title + ", in the middle of the sound", .caption = "", .panels = {}};
+  Figure middles{.title = title + ", in the middle of the sound",
+                 .caption =
+                     "As the face shows it: controls are limited to their ranges (tokens.csv "
+                     "has what is asked). Those that look the same in all tokens are left "
+                     "out.",
+                 .panels = {}};
   middles.panels.push_back(
       over_tokens(continuum, "opening of the lips (mm)", [](const TokenMiddle& middle) {
         return middle.lips.inner_height_mm;
@@ -163,18 +179,19 @@ void write_token_plots(const Continuum& continuum,
   Figure movements{.title = title + ", over time",
                    .caption = "From the first token (blue) to the last (red).",
                    .panels = {}};
-  for (const auto control : controls) {
+  for (const auto control : differing(continuum)) {
     middles.panels.push_back(
         over_tokens(continuum, synth::name_with_unit(control), [=](const TokenMiddle& middle) {
           return shown_value(middle, control);
         }));
+  }
+  for (const auto control : asked_differently(continuum)) {
     movements.panels.push_back(over_time(continuum, control));
   }
   middles.columns = 3;
   middles.panel_width = 270;
   middles.panel_height = 160;
   write_figure(middles, folder / ("controls." + format));
-  if (movements.panels.empty()) return;
   movements.columns = 2;
   movements.panel_width = 400;
   movements.panel_height = 170;

@@ -40,7 +40,8 @@ void write_token_table(const Continuum& continuum, const std::filesystem::path& 
 void write_token_tracks(const Continuum& continuum, const std::filesystem::path& folder);
 
 /// controls.svg: the opening of the lips and every control that differs, in the middle, over the
-/// tokens. movements.svg: the same controls over time. `format`: "svg", "pdf" or "png".
+/// tokens. movements.svg: every control that is
+/// asked differently over time. `format`: "svg", "pdf" or "png".
 void write_token_plots(const Continuum& continuum,
                        const std::string& title,
                        const std::string& format,

@@ -79,10 +79,22 @@ synth::SegmentTable chosen_segments(const SpokenOptions& options) {
   return synth::SegmentTable{segments_file(options.segments)};
 }
 
+namespace {
+
+/// Warnings go to standard error: what is asked for may be on standard output.
+synth::Score score_of_file(const std::string& file) {
+  std::vector<Diagnostic> warnings;
+  auto score = synth::read_score(file, warnings);
+  for (const auto& warning : warnings) fmt::print(stderr, "{}\n", describe(warning));
+  return score;
+}
+
+}  // namespace
+
 synth::Score spoken_score(const SpokenOptions& options) {
   const bool is_score = std::filesystem::path{options.text}.extension() == ".json";
   return synth::at_rate(
-      is_score ? synth::read_score(options.text) : synth::score_of(timed_segments(options)),
+      is_score ? score_of_file(options.text) : synth::score_of(timed_segments(options)),
       options.rate);
 }
 

@@ -66,6 +66,12 @@ struct ControlDescription {
 
 [[nodiscard]] const ControlDescription& describe(Control control);
 
+/// Whether the control makes a contact at the upper end of its range (lips, or lip and teeth): a
+/// target beyond is virtual and only makes the contact last.
+[[nodiscard]] constexpr bool makes_contact(Control control) {
+  return control == Control::LipClosure || control == Control::LowerLipTuck;
+}
+
 /// "jaw (deg)"; the name alone where the unit is a ratio: for axes and tables.
 [[nodiscard]] std::string name_with_unit(Control control);
 

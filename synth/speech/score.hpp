@@ -62,8 +62,9 @@ inline constexpr double kFastestRate = 3.0;
                                                std::string_view file,
                                                std::vector<Diagnostic>& diagnostics);
 
-/// The same from a file. Throws Error listing every mistake, or that it cannot be read.
-[[nodiscard]] Score read_score(const std::string& file);
+/// The same from a file; warnings are appended to `warnings`. Throws Error listing every mistake,
+/// or that it cannot be read.
+[[nodiscard]] Score read_score(const std::string& file, std::vector<Diagnostic>& warnings);
 
 /// What the segments of a score claim of each control.
 struct ScoreClaims {

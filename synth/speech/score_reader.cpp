@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,14 @@ constexpr NumberRule kExponent{0.05, 10, "the power of the distance, usually 1"}
 constexpr NumberRule kOffset{-10'000, 10'000, "ms from the segment's centre to its peak, e.g. -13"};
 constexpr NumberRule kInflection{0, 10'000, "ms before the centre, e.g. 68"};
 constexpr NumberRule kRank{1, 10, "a rank of deformability from 1 (the least) to 10"};
+
+/// One name for every way to write a symbol: "s" and "S" are the same phone.
+std::string canonical(const std::string& written) {
+  const auto parsed = parse_segment(written);
+  const auto* const segment = std::get_if<Segment>(&parsed);
+  return segment == nullptr ? written : symbol(*segment);
+}
+
 constexpr TextRule kSymbol{1, 40, true, "a symbol, e.g. \"S\""};
 constexpr TextRule kControlName{1, 60, true, "the name of a control, e.g. \"lip_protrusion\""};
 constexpr std::array<std::string_view, 2> kForms{"exponential", "critically damped"};
@@ -50,6 +59,7 @@ class ScoreReader {
     }
     reader.refuse_unknown_keys();
     refuse_unknown_symbols();
+    warn_of_unused_definitions();
     return std::move(score_);
   }
 
@@ -61,7 +71,10 @@ class ScoreReader {
     const ObjectReader judged{*definitions, pointer, findings_};  // notes it if it is no object
     if (!definitions->is_object()) return;
     for (const auto& [symbol, controls] : definitions->items()) {
-      definitions_[symbol] = read_controls(controls, pointer + "/" + escape_pointer(symbol));
+      const auto at = pointer + "/" + escape_pointer(symbol);
+      if (!definitions_.emplace(canonical(symbol), read_controls(controls, at)).second) {
+        findings_.error(at, "the same symbol is defined already", "keep one of them");
+      }
     }
   }
 
@@ -88,7 +101,7 @@ class ScoreReader {
     }
     const auto rank = reader.whole("rank", kRank);
     if (rank) segment.rank = static_cast<int>(*rank);
-    const auto defined = definitions_.find(segment.symbol);
+    const auto defined = definitions_.find(canonical(segment.symbol));
     if (defined != definitions_.end()) segment.controls = defined->second;
     if (const auto* controls = reader.find("controls")) {
       for (auto& [name, asked] : read_controls(*controls, reader.pointer_to("controls"))) {
@@ -151,6 +164,16 @@ class ScoreReader {
     dominance.theta_early = theta.value_or(0);
   }
 
+  void warn_of_unused_definitions() {
+    std::set<std::string, std::less<>> used;
+    for (const auto& segment : score_.segments) used.insert(canonical(segment.symbol));
+    for (const auto& [name, ignored] : definitions_) {
+      if (used.contains(name)) continue;
+      findings_.warning(
+          "/definitions", fmt::format("no segment is \"{}\"", name), "is it mistyped?");
+    }
+  }
+
   void refuse_unknown_symbols() {
     for (std::size_t i = 0; i < score_.segments.size(); ++i) {
       const auto& segment = score_.segments[i];
@@ -194,7 +217,7 @@ std::optional<Score> parse_score(std::string_view text,
   return score;
 }
 
-Score read_score(const std::string& file) {
+Score read_score(const std::string& file, std::vector<Diagnostic>& warnings) {
   std::vector<Diagnostic> diagnostics;
   auto score = parse_score(read_file(file), file, diagnostics);
   if (!score) {
@@ -202,6 +225,7 @@ Score read_score(const std::string& file) {
     for (const auto& diagnostic : diagnostics) message += "\n  " + describe(diagnostic);
     throw Error{message};
   }
+  warnings.insert(warnings.end(), diagnostics.begin(), diagnostics.end());
   return *std::move(score);
 }
 

@@ -64,7 +64,8 @@ const SegmentTarget& SegmentTable::at(Phone segment, Control control) const {
 SegmentTarget SegmentTable::at(const Segment& segment, Control control) const {
   const auto& from = at(segment.from, control);
   const auto& to = at(segment.to, control);
-  if (segment.step == 0 || segment.step == segment.steps) {
+  const bool is_end = segment.step == 0 || segment.step == segment.steps;
+  if (is_end || !makes_contact(control) || from.target == to.target) {
     return between(from, to, segment.share());
   }
   const auto& range = describe(control);

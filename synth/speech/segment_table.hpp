@@ -67,11 +67,11 @@ class SegmentTable {
   /// Preconditions: `segment` is not a diphthong, `control` is a speech control.
   [[nodiscard]] const SegmentTarget& at(Phone segment, Control control) const;
 
-  /// Of an ambiguous segment: everything in proportion between its two phones. Targets beyond the
-  /// control's range count from its limit: a phone's virtual target makes its contact last, but
-  /// what lies between two phones shall not make the contact of one of them for half of the way,
-  /// and then jump. At either end it is that phone, virtual targets and all. The same
-  /// preconditions.
+  /// Of an ambiguous segment: everything in proportion between its two phones. Only contacts (see
+  /// makes_contact), where the two phones differ in them, count from the limits of their range
+  /// between the ends: a phone's virtual target makes its contact last, but what lies between two
+  /// phones shall not make the contact of one of them for half of the way, and then jump. At either
+  /// end it is that phone, virtual targets and all. The same preconditions.
   [[nodiscard]] SegmentTarget at(const Segment& segment, Control control) const;
 
   /// What each source key stands for.

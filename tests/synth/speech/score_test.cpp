@@ -115,6 +115,23 @@ TEST(Score, TakesDefinitionsForEverySegmentOfASymbol) {
   EXPECT_EQ(score.segments[1].controls.at("p").target, 2);
 }
 
+TEST(Score, KnowsAPhoneByEveryWayToWriteIt) {
+  const auto score = read(R"({"definitions":{"S":{"jaw":{"target":9,"theta_before_per_ms":0.02,
+    "theta_after_per_ms":0.02}}},"segments":[{"symbol":"s","duration_ms":80}]})");
+  EXPECT_EQ(score.segments[0].controls.at("jaw").target, 9);
+}
+
+TEST(Score, WarnsOfDefinitionsThatNoSegmentUses) {
+  std::vector<Diagnostic> diagnostics;
+  const auto score = parse_score(R"({"definitions":{"Q":{"p":{"target":9,"theta_before_per_ms":1,
+    "theta_after_per_ms":1}}},"segments":[{"symbol":"S","duration_ms":80}]})",
+                                 "score.json",
+                                 diagnostics);
+  EXPECT_TRUE(score);
+  ASSERT_EQ(diagnostics.size(), 1);
+  EXPECT_THAT(describe(diagnostics[0]), HasSubstr("no segment is \"Q\""));
+}
+
 TEST(Score, OfTracksMovesAsTheTracksDid) {
   const std::vector<Segment> said{S, T, Segment{B, W, 3, 8}, OY, Rest, UW};
   const auto score = score_of(timed(said));

@@ -350,8 +350,9 @@ TEST(Between, IsEachEndAtItsEndAndInProportionOnTheWay) {
     EXPECT_EQ(table.at(Segment{B, W, 0, 8}, control.control).dominance, b.dominance);
     EXPECT_EQ(table.at(Segment{B, W, 8, 8}, control.control).target, w.target);
     const auto part = table.at(Segment{B, W, 3, 8}, control.control);
-    const double first = std::clamp(b.target, control.lowest, control.highest);
-    const double last = std::clamp(w.target, control.lowest, control.highest);
+    const bool is_limited = control.control == Control::LipClosure;  // the contact they differ in
+    const double first = is_limited ? 1 : b.target;
+    const double last = is_limited ? 0 : w.target;
     EXPECT_NEAR(part.target, first + 0.375 * (last - first), 1e-12);
     EXPECT_NEAR(part.dominance.alpha,
                 b.dominance.alpha + 0.375 * (w.dominance.alpha - b.dominance.alpha),
@@ -359,6 +360,16 @@ TEST(Between, IsEachEndAtItsEndAndInProportionOnTheWay) {
     EXPECT_NEAR(part.offset.count(),
                 b.offset.count() + 0.375 * (w.offset.count() - b.offset.count()),
                 1e-12);
+  }
+}
+
+TEST(Between, KeepsWhatBothPhonesAsk) {
+  const SegmentTable table{english()};
+  for (const auto& control : controls().first<kSpeechControlCount>()) {
+    const auto& s = table.at(S, control.control);
+    const auto& sh = table.at(SH, control.control);
+    if (s.target != sh.target) continue;
+    EXPECT_EQ(table.at(Segment{S, SH, 1, 4}, control.control).target, s.target) << control.name;
   }
 }
 
