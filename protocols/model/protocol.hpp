@@ -7,6 +7,7 @@
 
 #include "stimuli/base/quantity.hpp"
 #include "stimuli/base/random.hpp"
+#include "stimuli/timeline/account.hpp"
 
 namespace bimodal::protocols {
 
@@ -48,6 +49,16 @@ struct Look {
   bool operator==(const Look&) const = default;
 };
 
+/// How the synthetic face articulates.
+struct Articulating {
+  Account account = Account::Dominance;
+  /// The inventory of segments: as written, the name of one that ships or a path relative to the
+  /// protocol; from read_protocol, its file.
+  std::string segments = "english";
+
+  bool operator==(const Articulating&) const = default;
+};
+
 /// What is heard and seen in one kind of trial. At least one of the talkers is given.
 struct Condition {
   std::string name;
@@ -62,6 +73,7 @@ struct Condition {
   std::optional<Duration> av_offset;  ///< absent: Intervals::av_offset
   Manner manner;
   Look look;
+  Articulating articulating;
 };
 
 /// How words meet conditions.

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "stimuli/base/error.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/timeline/inventory_file.hpp"
 
 namespace bimodal::protocols {
 
@@ -133,8 +135,20 @@ class Casting {
     if (is_corpus(condition.look.like) && !find_corpus(corpus_name(condition.look.like))) {
       replace(condition.look.like, "", written, "/visual/look/like");
     }
+    const bool has_face = condition.visual_talker && !is_corpus(*condition.visual_talker);
+    if (has_face) find_inventory(condition.articulating, written);
     cast_.conditions.push_back(std::move(condition));
     cast_.pointers.push_back(written.pointer);
+  }
+
+  void find_inventory(Articulating& articulating, const WrittenCondition& written) {
+    try {
+      articulating.segments = inventory_file(articulating.segments, folder_).string();
+    } catch (const Error& error) {
+      findings_.error(written.pointer + "/visual/segments",
+                      error.what(),
+                      "it is a path relative to the protocol, or the name of an inventory");
+    }
   }
 
   void replace(std::string& talker,

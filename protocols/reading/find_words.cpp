@@ -23,19 +23,10 @@ bool is_path(std::string_view list) {
   return list.ends_with(".json") || list.find('/') != std::string_view::npos;
 }
 
-std::vector<std::string> names_in_library() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator{asset(kLibrary)}) {
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  }
-  std::ranges::sort(names);
-  return names;
-}
-
 /// The file of a list that is named, not a path; noted and absent if the library has none.
 std::optional<std::filesystem::path> file_in_library(const WordChoice& choice, Findings& findings) {
   try {
-    const auto names = names_in_library();
+    const auto names = asset_names(kLibrary, ".json");
     if (std::ranges::find(names, choice.list) != names.end()) {
       return asset(fmt::format("{}/{}.json", kLibrary, choice.list));
     }
@@ -76,12 +67,14 @@ const Dictionary* WordFinder::dictionary(std::string_view pointer) {
   return dictionary_ ? &*dictionary_ : nullptr;
 }
 
-std::optional<Pronunciation> WordFinder::pronounce(const std::string& spelling,
-                                                   const std::string& pointer) {
+std::optional<SpelledSegments> WordFinder::pronounce(const std::string& spelling,
+                                                     const std::string& pointer) {
   const auto* dictionary = this->dictionary(pointer);
   if (dictionary == nullptr) return std::nullopt;
   const auto pronunciations = dictionary->pronunciations(spelling);
-  if (!pronunciations.empty()) return pronunciations.front();
+  if (!pronunciations.empty()) {
+    return SpelledSegments{.phones = pronunciations.front(), .articulation = {}};
+  }
   findings_->error(pointer,
                    fmt::format("{} has no pronunciation in the dictionary", shown(spelling)),
                    "check its spelling, or give its phones: "
@@ -92,19 +85,21 @@ std::optional<Pronunciation> WordFinder::pronounce(const std::string& spelling,
 std::vector<Word> WordFinder::look_up(const WordChoice& choice) {
   std::vector<Word> words;
   std::map<std::string, std::string> pointer_of;
-  std::map<std::string, Pronunciation> given;
+  std::map<std::string, SpelledSegments> given;
   for (const auto& written : choice.words) {
-    if (!written.phones.empty()) given.emplace(written.spelling, written.phones);
+    if (!written.said.phones.empty()) given.emplace(written.spelling, written.said);
   }
-  const auto phones_of = [&](const WrittenWord& written, const std::string& spelling) {
+  const auto find_said = [&](const WrittenWord& written,
+                             const std::string& spelling,
+                             const SpelledSegments& said) -> std::optional<SpelledSegments> {
+    if (!said.phones.empty()) return said;
     const auto found = given.find(spelling);
-    return found != given.end() ? std::optional{found->second}
-                                : pronounce(spelling, written.pointer);
+    return found != given.end() ? found->second : pronounce(spelling, written.pointer);
   };
   for (const auto& written : choice.words) {
-    Word word{.spelling = written.spelling, .phones = written.phones, .seen = std::nullopt};
+    Word word{.spelling = written.spelling, .phones = {}, .seen = std::nullopt};
     if (!written.seen.empty() && written.seen != written.spelling) {
-      word.seen = SeenWord{written.seen, {}};
+      word.seen = SeenWord{.spelling = written.seen, .phones = {}};
     }
     const auto [earlier, is_new] = pointer_of.emplace(shown_name(word), written.pointer);
     if (!is_new) {
@@ -113,13 +108,15 @@ std::vector<Word> WordFinder::look_up(const WordChoice& choice) {
                        "remove one of them");
       continue;
     }
-    const auto phones = word.phones.empty() ? phones_of(written, word.spelling) : word.phones;
-    if (!phones) continue;
-    word.phones = *phones;
+    const auto said = find_said(written, word.spelling, written.said);
+    if (!said) continue;
+    word.phones = said->phones;
+    word.articulation = said->articulation;
     if (word.seen) {
-      const auto seen = phones_of(written, word.seen->spelling);
+      const auto seen = find_said(written, word.seen->spelling, written.seen_said);
       if (!seen) continue;
-      word.seen->phones = *seen;
+      word.seen->phones = seen->phones;
+      word.seen->articulation = seen->articulation;
     }
     words.push_back(std::move(word));
   }

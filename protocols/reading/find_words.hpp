@@ -30,8 +30,8 @@ class WordFinder {
 
  private:
   [[nodiscard]] std::vector<Word> look_up(const WordChoice& choice);
-  [[nodiscard]] std::optional<Pronunciation> pronounce(const std::string& spelling,
-                                                       const std::string& pointer);
+  [[nodiscard]] std::optional<SpelledSegments> pronounce(const std::string& spelling,
+                                                         const std::string& pointer);
   [[nodiscard]] std::vector<Word> read_list(const WordChoice& choice);
   [[nodiscard]] const Dictionary* dictionary(std::string_view pointer);
 

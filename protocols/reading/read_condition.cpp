@@ -9,6 +9,7 @@
 
 #include "stimuli/audio/time_scale.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/timeline/account.hpp"
 
 namespace bimodal::protocols {
 
@@ -80,17 +81,42 @@ Look read_look(ObjectReader& parent, Findings& findings) {
   return look;
 }
 
+/// The keys "coarticulation" and "segments", which only the synthetic face has.
+Articulating read_articulating(ObjectReader& reader, bool is_face, Findings& findings) {
+  Articulating articulating;
+  std::vector<std::string_view> names;
+  for (const auto& row : accounts()) names.push_back(row.name);
+  if (const auto chosen = reader.choice("coarticulation", names)) {
+    articulating.account = accounts()[*chosen].account;
+  }
+  take(articulating.segments,
+       reader.text("segments",
+                   {.shortest = 1,
+                    .longest = 500,
+                    .meaning = "an inventory of segments: the name of one that ships, e.g. "
+                               "\"turkish-plateau\", or the path of a file relative to the "
+                               "protocol"}));
+  for (const auto* key : {"coarticulation", "segments"}) {
+    if (is_face || !reader.has(key)) continue;
+    findings.error(reader.pointer_to(key),
+                   "recordings articulate in their own way",
+                   "remove it, or let \"face\" be seen");
+  }
+  return articulating;
+}
+
 struct WrittenTalker {
   std::optional<std::string> name;
   std::string otherwise;
 };
 
-/// {"talker": "festival:kal"}, or null or nothing for none. `look` is read where one is wanted.
+/// {"talker": "festival:kal"}, or null or nothing for none. Of who is seen, look and articulation
+/// are read into `seen`.
 WrittenTalker read_talker(ObjectReader& parent,
                           std::string_view key,
                           std::span<const std::string_view> built_in,
                           Findings& findings,
-                          Look* look = nullptr) {
+                          Condition* seen = nullptr) {
   WrittenTalker talker;
   const auto* value = parent.find(key);
   if (value == nullptr || value->is_null()) return talker;
@@ -106,7 +132,12 @@ WrittenTalker read_talker(ObjectReader& parent,
           "remove it, or name a corpus as the talker");
     }
   }
-  if (look != nullptr) *look = read_look(reader, findings);
+  if (seen != nullptr) {
+    const bool is_face =
+        !talker.name || !is_corpus(*talker.name) || talker.otherwise == kFaces.front();
+    seen->look = read_look(reader, findings);
+    seen->articulating = read_articulating(reader, is_face, findings);
+  }
   reader.refuse_unknown_keys();
   return talker;
 }
@@ -186,7 +217,7 @@ WrittenCondition read_condition(const Json& value, std::string pointer, Findings
   take(condition.name, reader.text("name", name));
   take(condition.optional, reader.flag("optional"));
   auto auditory = read_talker(reader, "auditory", kVoices, findings);
-  auto visual = read_talker(reader, "visual", kFaces, findings, &condition.look);
+  auto visual = read_talker(reader, "visual", kFaces, findings, &condition);
   auto timing = read_talker(reader, "timing", kVoices, findings);
   condition.auditory_talker = std::move(auditory.name);
   condition.visual_talker = std::move(visual.name);

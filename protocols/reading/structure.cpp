@@ -2,6 +2,7 @@
 
 #include <array>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -42,24 +43,38 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// ["B", "AA"]; noted and empty where something is no phone.
-Pronunciation read_phones(ObjectReader& reader, Findings& findings) {
-  Pronunciation phones;
+/// ["B", "AA"] or ["B~W:3/8", "AA"]; noted and empty where something is no phone.
+SpelledSegments read_phones(ObjectReader& reader, Findings& findings) {
+  std::vector<Segment> segments;
   for (const auto& [value, pointer] : reader.items("phones", 1, 100)) {
-    const auto phone =
-        value->is_string() ? phone_from_symbol(value->get_ref<const std::string&>()) : std::nullopt;
-    if (phone && *phone != Phone::Rest) {
-      phones.push_back(*phone);
+    const auto read = parse_sound(value->is_string() ? value->get_ref<const std::string&>() : "");
+    if (const auto* const fault = std::get_if<SegmentFault>(&read)) {
+      findings.error(
+          pointer,
+          value->is_string() ? fault->finding : fmt::format("{} is not a phone", shown(*value)),
+          fault->remedy);
     } else {
-      findings.error(pointer,
-                     fmt::format("{} is not a phone", shown(*value)),
-                     fmt::format("use the symbols {}", spell(all_phones().subspan(1))));
+      segments.push_back(std::get<Segment>(read));
     }
   }
-  return phones;
+  return spelled(segments);
 }
 
 constexpr TextRule kWordRule{.shortest = 1, .longest = 40, .meaning = "a word, e.g. \"cat\""};
+
+/// "da", or {"word": "da", "phones": ["D", "AA"]}, under "seen".
+void read_seen(ObjectReader& parent, WrittenWord& word, Findings& findings) {
+  const auto* const value = parent.find("seen");
+  if (value == nullptr || !value->is_object()) {
+    word.seen = lower_case(parent.text("seen", kWordRule).value_or(""));
+    return;
+  }
+  auto reader = *parent.object("seen");
+  reader.require("word", "\"da\"");
+  word.seen = lower_case(reader.text("word", kWordRule).value_or(""));
+  word.seen_said = read_phones(reader, findings);
+  reader.refuse_unknown_keys();
+}
 
 /// "cat", or {"word": "ba", "phones": ["B", "AA"], "seen": "da"}.
 std::optional<WrittenWord> read_word(ObjectReader& parent,
@@ -77,11 +92,17 @@ std::optional<WrittenWord> read_word(ObjectReader& parent,
   ObjectReader reader{value, pointer, findings};
   reader.require("word", "\"ba\"");
   const auto spelling = reader.text("word", kWordRule);
-  word.phones = read_phones(reader, findings);
-  word.seen = lower_case(reader.text("seen", kWordRule).value_or(""));
+  word.said = read_phones(reader, findings);
+  read_seen(reader, word, findings);
   reader.refuse_unknown_keys();
   if (!spelling || findings.faulty(pointer)) return std::nullopt;
   word.spelling = lower_case(*spelling);
+  if (!word.seen_said.phones.empty() && word.seen == word.spelling) {
+    findings.error(pointer + "/seen/word",
+                   fmt::format("{} is the name of what is heard too", shown(word.seen)),
+                   "give what is seen a name of its own");
+    return std::nullopt;
+  }
   return word;
 }
 

@@ -9,7 +9,7 @@
 #include "protocols/model/protocol.hpp"
 #include "protocols/reading/read_condition.hpp"
 #include "stimuli/base/findings.hpp"
-#include "stimuli/timeline/phone.hpp"
+#include "stimuli/timeline/segment.hpp"
 
 namespace bimodal::protocols {
 
@@ -18,10 +18,11 @@ inline constexpr int kProtocolFormat = 1;
 
 /// A word as it is spelled out in a protocol.
 struct WrittenWord {
-  std::string pointer;   ///< where it is written
-  std::string spelling;  ///< lower case
-  Pronunciation phones;  ///< empty: to be looked up
-  std::string seen;      ///< lower case; empty: the same word
+  std::string pointer;        ///< where it is written
+  std::string spelling;       ///< lower case
+  SpelledSegments said;       ///< no phones: to be looked up
+  std::string seen;           ///< lower case; empty: the same word
+  SpelledSegments seen_said;  ///< no phones: those of a word of the list, or to be looked up
 };
 
 /// Words as a protocol asks for them: the name of a list, or the words themselves.

@@ -51,31 +51,53 @@ std::string look_text(const protocols::Look& look) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// How the face articulates, as far as it is not by default.
+std::string articulating_text(const protocols::Articulating& articulating) {
+  std::vector<std::string> parts;
+  const protocols::Articulating usual;
+  if (articulating.account != usual.account) parts.emplace_back(name(articulating.account));
+  const auto inventory = std::filesystem::path{articulating.segments}.stem().string();
+  if (inventory != usual.segments) parts.push_back("segments of " + inventory);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 void print_details(const protocols::Condition& condition) {
   const auto print_line = [](std::string_view what, std::string_view text) {
     if (!text.empty()) fmt::print("               {:<14} {} {}\n", "", what, text);
   };
   print_line("presented", manner_text(condition.manner));
   print_line("looks", look_text(condition.look));
+  print_line("articulates", articulating_text(condition.articulating));
   if (condition.av_offset) {
     print_line("sound after picture",
                fmt::format("{:+g} ms", 1000.0 * seconds(*condition.av_offset)));
   }
 }
 
-void print_dubbed(const ReadProtocol& read) {
+void print_words(std::string_view what, std::vector<std::string> words) {
+  constexpr std::size_t kShown = 6;
+  const auto count = words.size();
+  if (count == 0) return;
+  if (count > kShown) words.resize(kShown);
+  fmt::print("  {:<12} {}: {}{}\n",
+             what,
+             counted(count, "word"),
+             fmt::join(words, ", "),
+             count > kShown ? ", ..." : "");
+}
+
+void print_unusual_words(const ReadProtocol& read) {
   std::vector<std::string> dubbed;
+  std::vector<std::string> ambiguous;
   for (const auto& word : read.words.words) {
     if (word.seen) dubbed.push_back(shown_name(word));
+    const auto& shown = word.seen ? word.seen->articulation : word.articulation;
+    if (!shown.empty()) {
+      ambiguous.push_back(fmt::format("{} ({})", shown_name(word), spell(shown)));
+    }
   }
-  constexpr std::size_t kShown = 6;
-  const auto count = dubbed.size();
-  if (count == 0) return;
-  if (count > kShown) dubbed.resize(kShown);
-  fmt::print("  dubbed       {}: {}{}\n",
-             counted(count, "word"),
-             fmt::join(dubbed, ", "),
-             count > kShown ? ", ..." : "");
+  print_words("dubbed", std::move(dubbed));
+  print_words("ambiguous", std::move(ambiguous));
 }
 
 void print_summary(const ReadProtocol& read, std::size_t trials) {
@@ -100,7 +122,7 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
                              : std::string{});
     print_details(condition);
   }
-  print_dubbed(read);
+  print_unusual_words(read);
   fmt::print("  assignment   {}\n",
              protocol.assignment == Assignment::Once
                  ? "once: each word in one condition per participant"

@@ -1,18 +1,21 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "runner/cli/continuum_files.hpp"
-#include "runner/cli/segments_file.hpp"
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/spoken_score.hpp"
 #include "runner/cli/text_table.hpp"
 #include "runner/cli/verbs.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/timeline/inventory_file.hpp"
 
 namespace bimodal::runner {
 
@@ -23,8 +26,8 @@ struct ContinuumOptions {
   std::size_t steps = 9;
   std::string context = "_ AA";
   std::vector<std::string> varied;
-  double low = 0;
-  double high = 1;
+  std::optional<double> low;
+  std::optional<double> high;
   std::string output;
   std::string segments = "english";
   std::string account = "dominance";
@@ -53,11 +56,14 @@ synth::ContinuumDesign design_of(const ContinuumOptions& options) {
   if (options.ends.size() == 1 && options.varied.empty()) {
     throw Error{"one sound alone is no continuum; give a second one, or --vary CONTROL"};
   }
+  if (options.ends.size() == 2 && (options.low || options.high)) {
+    throw Error{"--low and --high are values of --vary; leave them out between two sounds"};
+  }
   synth::ContinuumDesign design{.from = sound(options.ends.front()),
                                 .to = {},
                                 .varied = {},
-                                .low = options.low,
-                                .high = options.high,
+                                .low = options.low.value_or(0),
+                                .high = options.high.value_or(1),
                                 .steps = options.steps,
                                 .context = options.context};
   if (options.ends.size() == 2) design.to = sound(options.ends.back());
@@ -65,26 +71,43 @@ synth::ContinuumDesign design_of(const ContinuumOptions& options) {
   return design;
 }
 
+/// Values of varied targets that the face cannot show.
+void tell_limits(const synth::ContinuumDesign& design) {
+  for (const auto& [control, parameter] : design.varied) {
+    if (parameter != synth::Varied::Target) continue;
+    const auto& range = synth::describe(control);
+    const auto [low, high] = std::minmax(design.low, design.high);
+    if (low >= range.lowest && high <= range.highest) continue;
+    fmt::print(stderr,
+               "note: {} goes from {} to {}; targets beyond only hold the face longer at its "
+               "limit\n",
+               range.name,
+               range.lowest,
+               range.highest);
+  }
+}
+
 void print_tokens(const Continuum& continuum) {
-  std::vector<std::vector<std::string>> rows{{"token", "sound", "opening mm", "width mm"}};
+  std::vector<std::vector<std::string>> rows{
+      {"token", "sound", "opening mm", "width mm", "shut ms", "half open ms"}};
   for (std::size_t i = 0; i < continuum.tokens.size(); ++i) {
-    const auto& lips = continuum.middles[i].lips;
+    const auto& [pose, lips, shut, half_open] = continuum.middles[i];
     rows.push_back({token_name(continuum, i),
                     continuum.tokens[i].name,
                     fmt::format("{:.2f}", lips.inner_height_mm),
-                    fmt::format("{:.1f}", lips.outer_width_mm)});
+                    fmt::format("{:.1f}", lips.outer_width_mm),
+                    fmt::format("{:.0f}", shut.count()),
+                    half_open ? fmt::format("{:.0f}", half_open->count()) : "-"});
   }
-  print_text_table(rows, "llrr");
+  print_text_table(rows, "llrrrr");
 }
 
 ExitCode continuum(const ContinuumOptions& options) {
   const auto design = design_of(options);
-  const synth::SegmentTable table{segments_file(options.segments)};
+  const synth::SegmentTable table{inventory_file(options.segments)};
   const synth::Head head{asset("synth/assets/head")};
-  const auto made = worked_out(synth::tokens_of(design, table),
-                               table,
-                               synth::account_from_name(options.account).value(),
-                               head);
+  const auto made = worked_out(
+      synth::tokens_of(design, table), table, account_from_name(options.account).value(), head);
   const std::filesystem::path folder{options.output};
   std::error_code fault;
   std::filesystem::create_directories(folder, fault);
@@ -101,6 +124,7 @@ ExitCode continuum(const ContinuumOptions& options) {
                               design.low,
                               design.high);
   write_token_table(made, folder);
+  const bool has_words = design.to && write_token_words(made, folder);
   write_token_tracks(made, folder);
   write_token_plots(made, title, options.format, folder);
   write_token_strip(made, head, options.view, folder);
@@ -108,10 +132,13 @@ ExitCode continuum(const ContinuumOptions& options) {
     write_token_videos(made, head, options.view, Hertz{options.rate_hz}, folder);
   }
   print_tokens(made);
-  fmt::print("\n{}: {} with tracks{}; tokens.csv, controls.{}, movements.{}, strip.png\n",
+  tell_limits(design);
+  for (const auto& caution : cautions(made)) fmt::print(stderr, "note: {}\n", caution);
+  fmt::print("\n{}: {} with tracks{}; tokens.csv,{} controls.{}, movements.{}, strip.png\n",
              options.output,
              counted(made.tokens.size(), "token"),
              options.without_videos ? "" : " and videos",
+             has_words ? " words.json (a word list for protocols)," : "",
              options.format,
              options.format);
   return ExitCode::Done;
@@ -126,8 +153,8 @@ void add_continuum(CLI::App& app, Verb& chosen) {
       "for contacts: synth/speech/README.md); or along controls or dynamics of one sound. Writes "
       "for each token the movement\n"
       "of every control (CSV) and a video, and for all a table, plots over the steps and over\n"
-      "time, and a strip of pictures of the middles.\n"
-      "In protocols, scores and elsewhere a token is called as here, e.g. B~W:3/8.\n"
+      "time, and a strip of pictures of the middles; and words.json, a word list that protocols\n"
+      "take. In protocols, scores and elsewhere a token is called as here, e.g. B~W:3/8.\n"
       "Exit code: 0 done, 3 errors.\n\n"
       "Examples:\n"
       "  bimodal continuum b w --steps 9 --in \"_ AA\" -o bw\n"
@@ -152,8 +179,10 @@ void add_continuum(CLI::App& app, Verb& chosen) {
                    "cheek_puff, lip_closure.theta_after")
       ->delimiter(',')
       ->allow_extra_args(false);
-  verb->add_option("--low", options->low, "value of --vary in the first token (0)");
-  verb->add_option("--high", options->high, "value of --vary in the last token (1)");
+  verb->add_option("--low", options->low, "value of --vary in the first token (0)")
+      ->check(finite_number());
+  verb->add_option("--high", options->high, "value of --vary in the last token (1)")
+      ->check(finite_number());
   verb->add_option("-o,--output", options->output, "folder, made if it is not there")->required();
   verb->add_option("--segments", options->segments, "inventory: a file, or english (default)");
   add_account_option(*verb, options->account);

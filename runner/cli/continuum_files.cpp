@@ -1,10 +1,13 @@
 #include "runner/cli/continuum_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <span>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "stimuli/base/csv.hpp"
@@ -57,6 +60,89 @@ std::vector<synth::Control> asked_differently(const Continuum& continuum) {
   return controls;
 }
 
+/// The opening of the lips, sampled about a segment.
+struct Opening {
+  std::vector<double> time_ms;
+  std::vector<double> height_mm;
+};
+
+Opening opening_about(const synth::ContinuumToken& token,
+                      synth::ScoreArticulation& articulation,
+                      const synth::Head& head) {
+  constexpr double kStep = 4.0;  // ms; between samples the height is taken to run straight
+  const auto& segment = token.score.segments[token.segment];
+  const double middle = middle_of(token).count();
+  const double last = middle + std::max(kOpeningTime.count(), segment.duration.count() / 2);
+  Opening opening;
+  synth::PosedHead posed;
+  // Steps are counted from the middle, so that it is a sample.
+  const auto steps_back = static_cast<int>(segment.duration.count() / 2 / kStep);
+  for (double time = middle - steps_back * kStep; time <= last; time += kStep) {
+    head.pose(articulation.at(Milliseconds{time}), posed);
+    opening.time_ms.push_back(time);
+    opening.height_mm.push_back(posed.lips.inner_height_mm);
+  }
+  return opening;
+}
+
+/// When a straight line between two samples reaches `height`.
+double crossing(const Opening& opening, std::size_t after, double height) {
+  const double before = opening.height_mm[after - 1];
+  const double rise = opening.height_mm[after] - before;
+  const double share = rise == 0 ? 0 : std::clamp((height - before) / rise, 0.0, 1.0);
+  return std::lerp(opening.time_ms[after - 1], opening.time_ms[after], share);
+}
+
+/// The unbroken stretch of shut lips that holds `middle`, else the one nearest to it.
+Milliseconds time_shut(const Opening& opening, double middle, double end) {
+  double nearest = std::numeric_limits<double>::infinity();
+  Milliseconds shut{};
+  std::optional<double> from;
+  for (std::size_t i = 0; i < opening.time_ms.size(); ++i) {
+    const bool is_shut = opening.height_mm[i] <= kShutGapMm;
+    if (is_shut && !from) from = i == 0 ? opening.time_ms[0] : crossing(opening, i, kShutGapMm);
+    const bool is_last = i + 1 == opening.time_ms.size();
+    if (!from || (is_shut && !is_last)) continue;
+    const double to = is_shut ? opening.time_ms[i] : crossing(opening, i, kShutGapMm);
+    const double distance = std::max({0.0, *from - middle, middle - to});
+    if (distance < nearest && *from <= end) {
+      nearest = distance;
+      shut = Milliseconds{to - *from};
+    }
+    from.reset();
+  }
+  return shut;
+}
+
+std::optional<Milliseconds> time_to_half_open(const Opening& opening, double middle) {
+  const auto first = static_cast<std::size_t>(
+      std::ranges::lower_bound(opening.time_ms, middle - 1e-9) - opening.time_ms.begin());
+  double greatest = 0;
+  for (std::size_t i = first; i < opening.height_mm.size(); ++i) {
+    greatest = std::max(greatest, opening.height_mm[i]);
+  }
+  const double half = greatest / 2;
+  if (greatest <= kShutGapMm || opening.height_mm[first] >= half) return std::nullopt;
+  std::size_t after = first + 1;
+  while (opening.height_mm[after] < half) ++after;
+  return Milliseconds{crossing(opening, after, half) - middle};
+}
+
+TokenMiddle middle_face(const synth::ContinuumToken& token,
+                        synth::ScoreArticulation& articulation,
+                        const synth::Head& head) {
+  const auto time = middle_of(token);
+  TokenMiddle middle{.pose = articulation.at(time), .lips = {}, .shut = {}, .half_open = {}};
+  synth::PosedHead posed;
+  head.pose(middle.pose, posed);
+  middle.lips = posed.lips;
+  const auto opening = opening_about(token, articulation, head);
+  const auto end = token.score.segments[token.segment].end().count();
+  middle.shut = time_shut(opening, time.count(), end);
+  middle.half_open = time_to_half_open(opening, time.count());
+  return middle;
+}
+
 /// From blue to red over the tokens.
 FigureColour shade(double place) {
   const auto red = static_cast<FigureColour>(0x20 + place * 0xC0);
@@ -106,16 +192,13 @@ Panel over_time(const Continuum& continuum, synth::Control control) {
 
 Continuum worked_out(std::vector<synth::ContinuumToken> tokens,
                      const synth::SegmentTable& table,
-                     synth::Account account,
+                     Account account,
                      const synth::Head& head) {
   Continuum continuum{.tokens = std::move(tokens), .claims = {}, .middles = {}, .account = account};
-  synth::PosedHead posed;
   for (const auto& token : continuum.tokens) {
     continuum.claims.push_back(synth::claims_of(token.score, table));
-    auto& middle = continuum.middles.emplace_back();
-    middle.pose = synth::ScoreArticulation{continuum.claims.back(), account}.at(middle_of(token));
-    head.pose(middle.pose, posed);
-    middle.lips = posed.lips;
+    synth::ScoreArticulation articulation{continuum.claims.back(), account};
+    continuum.middles.push_back(middle_face(token, articulation, head));
   }
   return continuum;
 }
@@ -128,16 +211,17 @@ std::string token_name(const Continuum& continuum, std::size_t token) {
 void write_token_table(const Continuum& continuum, const std::filesystem::path& folder) {
   std::string text =
       "token,name,place,inner_height_mm,inner_width_mm,inner_area_mm2,outer_width_mm,"
-      "upper_protrusion_mm,lower_protrusion_mm";
+      "upper_protrusion_mm,lower_protrusion_mm,lips_shut_ms,half_open_ms";
   const auto out = std::back_inserter(text);
   for (const auto& row : synth::controls().first<synth::kSpeechControlCount>()) {
     fmt::format_to(out, ",{}", row.name);
   }
   text += '\n';
   for (std::size_t i = 0; i < continuum.tokens.size(); ++i) {
-    const auto& [pose, lips] = continuum.middles[i];
+    const auto& middle = continuum.middles[i];
+    const auto& lips = middle.lips;
     fmt::format_to(out,
-                   "{},{},{},{},{},{},{},{},{}",
+                   "{},{},{},{},{},{},{},{},{},{},{}",
                    token_name(continuum, i),
                    csv_field(continuum.tokens[i].name),
                    continuum.tokens[i].place,
@@ -146,13 +230,56 @@ void write_token_table(const Continuum& continuum, const std::filesystem::path& 
                    lips.inner_area_mm2,
                    lips.outer_width_mm,
                    lips.upper_protrusion_mm,
-                   lips.lower_protrusion_mm);
+                   lips.lower_protrusion_mm,
+                   middle.shut.count(),
+                   middle.half_open ? fmt::to_string(middle.half_open->count()) : std::string{});
     for (std::size_t k = 0; k < synth::kSpeechControlCount; ++k) {
-      fmt::format_to(out, ",{}", pose.at(k));
+      fmt::format_to(out, ",{}", middle.pose.at(k));
     }
     text += '\n';
   }
   write_file(folder / "tokens.csv", text);
+}
+
+std::vector<std::string> cautions(const Continuum& continuum) {
+  constexpr double kNoticed = 0.02;  // mm: less is rounding in the mesh
+  const auto height = [&](std::size_t i) { return continuum.middles[i].lips.inner_height_mm; };
+  const double whole = height(continuum.tokens.size() - 1) - height(0);
+  std::vector<std::string> found;
+  if (std::abs(whole) < kNoticed) return found;
+  for (std::size_t i = 1; i < continuum.tokens.size(); ++i) {
+    const double step = height(i) - height(i - 1);
+    if (step * whole >= 0 || std::abs(step) < kNoticed) continue;
+    found.push_back(fmt::format("from {} to {} the lips {} by {:.2f} mm, against the others",
+                                token_name(continuum, i - 1),
+                                token_name(continuum, i),
+                                step > 0 ? "open" : "close",
+                                std::abs(step)));
+  }
+  return found;
+}
+
+bool write_token_words(const Continuum& continuum, const std::filesystem::path& folder) {
+  auto words = nlohmann::ordered_json::array();
+  for (const auto& token : continuum.tokens) {
+    auto phones = nlohmann::ordered_json::array();
+    const auto& segments = token.score.segments;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const bool is_rest = segments[i].segment == Segment{Phone::Rest};
+      const bool is_margin = i == 0 || i + 1 == segments.size();
+      if (is_rest && is_margin) continue;
+      if (is_rest || !segments[i].segment) return false;
+      phones.push_back(symbol(*segments[i].segment));
+    }
+    std::string spelling = token.name;
+    std::ranges::transform(spelling, spelling.begin(), [](char letter) {
+      return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    });
+    words.push_back({{"word", spelling}, {"phones", std::move(phones)}});
+  }
+  const nlohmann::ordered_json list{{"words", std::move(words)}};
+  write_file(folder / "words.json", list.dump(1) + '\n');
+  return true;
 }
 
 void write_token_tracks(const Continuum& continuum, const std::filesystem::path& folder) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,30 +12,49 @@
 
 namespace bimodal::runner {
 
-/// The face of one token in the middle of the varied segment.
+/// The face of one token in the middle of the varied segment, and how its lips move about it.
 struct TokenMiddle {
   synth::Pose pose{};
   synth::LipMeasures lips;
+  /// How long the lips are shut (a gap of at most kShutGapMm) without a break, at the middle or
+  /// else next to it within the segment; 0 if they are not.
+  Milliseconds shut{};
+  /// From the middle until the lips are half as far open as they come to be within kOpeningTime;
+  /// absent if they are in the middle, or never open.
+  std::optional<Milliseconds> half_open;
 };
+
+inline constexpr double kShutGapMm = 0.05;
+inline constexpr Milliseconds kOpeningTime{300};
 
 /// A continuum worked out: what its files are written from.
 struct Continuum {
   std::vector<synth::ContinuumToken> tokens;
   std::vector<synth::ScoreClaims> claims;  ///< one per token
   std::vector<TokenMiddle> middles;        ///< one per token
-  synth::Account account = synth::Account::Dominance;
+  Account account = Account::Dominance;
 };
 
 [[nodiscard]] Continuum worked_out(std::vector<synth::ContinuumToken> tokens,
                                    const synth::SegmentTable& table,
-                                   synth::Account account,
+                                   Account account,
                                    const synth::Head& head);
 
 /// "token0" ... with as many digits as the last one needs.
 [[nodiscard]] std::string token_name(const Continuum& continuum, std::size_t token);
 
-/// tokens.csv: a row per token with its name, the lips' measures and every control in the middle.
+/// tokens.csv: a row per token with its name, its place, the lips' measures in the middle, how long
+/// they are shut, how soon half open, and every control in the middle.
 void write_token_table(const Continuum& continuum, const std::filesystem::path& folder);
+
+/// What a user of the tokens should know: steps by which the lips open less than by the one before,
+/// though on the whole they open more (or the other way round).
+[[nodiscard]] std::vector<std::string> cautions(const Continuum& continuum);
+
+/// words.json: the tokens between two sounds as a word list for protocols, each under its name in
+/// lower case. False if the context has rests, which words have not.
+[[nodiscard]] bool write_token_words(const Continuum& continuum,
+                                     const std::filesystem::path& folder);
 
 /// token0.csv ...: every control at 1000 Hz.
 void write_token_tracks(const Continuum& continuum, const std::filesystem::path& folder);

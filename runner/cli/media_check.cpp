@@ -13,6 +13,7 @@
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/json_lines.hpp"
 #include "stimuli/video/media_file.hpp"
+#include "synth/speech/segment_table.hpp"
 
 namespace bimodal::runner {
 
@@ -44,7 +45,18 @@ class MediaCheck {
     if (natural) check_talker(*condition.visual_talker, Need::Picture);
     const bool timed_apart = !condition.auditory_talker && condition.visual_talker && !natural;
     if (timed_apart) check_talker(condition.timing_talker, Need::Nothing);
+    if (condition.visual_talker && !natural) check_inventory(condition.articulating.segments);
     if (condition.visual_talker) check_look(condition);
+  }
+
+  /// What it has wrong has its own file names and lines.
+  void check_inventory(const std::string& file) {
+    if (!told_.insert("inventory " + file).second) return;
+    try {
+      static_cast<void>(synth::SegmentTable::parse(read_file(file), file, diagnostics_));
+    } catch (const Error& error) {
+      find(error.what(), "name another inventory of segments");
+    }
   }
 
   enum class Need { Nothing, Sound, Picture };

@@ -2,7 +2,10 @@
 #include <cctype>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <sstream>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,6 +16,7 @@
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/picture/drawing.hpp"
+#include "stimuli/timeline/ambiguous_word.hpp"
 #include "stimuli/words/dictionary.hpp"
 #include "synth/face/head.hpp"
 #include "synth/render/head_renderer.hpp"
@@ -33,7 +37,7 @@ struct RenderOptions {
   double rate_hz = 60.0;
 };
 
-Pronunciation pronunciation(const RenderOptions& options) {
+SpelledSegments pronunciation(const RenderOptions& options) {
   if (options.phones.empty()) {
     const Dictionary dictionary{Dictionary::installed()};
     std::string word = options.word;
@@ -46,18 +50,19 @@ Pronunciation pronunciation(const RenderOptions& options) {
                       "--phones \"S T UW\"",
                       options.word)};
     }
-    return found.front();
+    return {.phones = found.front(), .articulation = {}};
   }
-  Pronunciation phones;
+  std::vector<Segment> segments;
   std::istringstream symbols{options.phones};
   for (std::string one; symbols >> one;) {
-    const auto phone = phone_from_symbol(one);
-    if (!phone) {
-      throw Error{fmt::format("'{}' is no phone; write ARPAbet symbols, e.g. \"S T UW\"", one)};
+    const auto read = parse_sound(one);
+    if (const auto* const fault = std::get_if<SegmentFault>(&read)) {
+      throw Error{fmt::format("{}; {}", fault->finding, fault->remedy)};
     }
-    phones.push_back(*phone);
+    segments.push_back(std::get<Segment>(read));
   }
-  return phones;
+  if (segments.empty()) throw Error{"--phones is empty; give e.g. --phones \"S T UW\""};
+  return spelled(segments);
 }
 
 /// Pictures of one size side by side.
@@ -71,16 +76,13 @@ Image beside(const std::vector<Image>& pictures) {
 }
 
 void write_strip(const RenderOptions& options,
-                 const Utterance& utterance,
+                 std::span<const TimedSegment> segments,
                  const synth::Articulation& articulation,
                  synth::HeadRenderer& renderer) {
   std::vector<Image> pictures;
-  for (const auto& timed : utterance.phones) {
-    const auto centre = timed.start + timed.duration / 2;
-    renderer.draw(articulation.at(centre), pictures.emplace_back());
-    fmt::print("  {:<5} {:>7.1f} ms\n",
-               symbol(timed.phone),
-               std::chrono::duration<double, std::milli>{centre}.count());
+  for (const auto& timed : segments) {
+    renderer.draw(articulation.at(timed.centre()), pictures.emplace_back());
+    fmt::print("  {:<5} {:>7.1f} ms\n", symbol(timed.segment), timed.centre().count());
   }
   write_png(beside(pictures), options.strip);
   fmt::print("{}: {} pictures, one at the centre of each phone\n", options.strip, pictures.size());
@@ -105,18 +107,25 @@ ExitCode render(const RenderOptions& options) {
   }
   const std::map<std::string, Corpus> no_corpora;
   Repertoire repertoire{Hertz{48'000}, no_corpora};
-  const auto& spoken =
-      repertoire.perform("festival:" + options.voice, options.word, pronunciation(options));
+  const auto said = pronunciation(options);
+  if (!options.sound.empty() && !said.articulation.empty()) {
+    throw Error{
+        fmt::format("the voice cannot say \"{}\", which has ambiguous sounds; leave --sound out",
+                    spell(said.articulation))};
+  }
+  const auto& spoken = repertoire.perform("festival:" + options.voice,
+                                          SeenWord{options.word, said.phones, said.articulation});
   if (!options.sound.empty()) {
     write_wav(options.sound, spoken.sound);
     fmt::print("{}: spoken by {}\n", options.sound, options.voice);
   }
   if (options.strip.empty() && options.frames.empty()) return ExitCode::Done;
   const synth::SegmentTable segments{asset("synth/assets/segments/english.json")};
-  const synth::Articulation articulation{spoken.utterance, segments};
+  const auto articulated = bimodal::articulated(spoken.utterance, said.articulation);
+  const synth::Articulation articulation{articulated, segments};
   const synth::Head head{asset("synth/assets/head")};
   synth::HeadRenderer renderer{head, face_view(options.view)};
-  if (!options.strip.empty()) write_strip(options, spoken.utterance, articulation, renderer);
+  if (!options.strip.empty()) write_strip(options, articulated, articulation, renderer);
   if (!options.frames.empty()) write_frames(options, articulation, renderer);
   return ExitCode::Done;
 }
@@ -130,11 +139,14 @@ void add_render(CLI::App& app, Verb& chosen) {
       "Examples:\n"
       "  bimodal render stew --strip stew.png            one picture a phone\n"
       "  bimodal render stew --frames stew --sound stew.wav\n"
-      "  bimodal render blick --phones \"B L IH K\" --strip blick.png --view mouth");
+      "  bimodal render blick --phones \"B L IH K\" --strip blick.png --view mouth\n"
+      "  bimodal render between --phones \"B~W:3/8 AA\" --strip between.png");
   auto options = std::make_shared<RenderOptions>();
   verb->add_option("WORD", options->word, "a word of the dictionary, or any name with --phones")
       ->required();
-  verb->add_option("--phones", options->phones, "its pronunciation in ARPAbet");
+  verb->add_option("--phones",
+                   options->phones,
+                   "its pronunciation in ARPAbet; \"B~W:3/8\" is step 3 of 8 from B to W");
   verb->add_option("--voice", options->voice, "Festival's voice that times it: kal (default), slt")
       ->check(CLI::IsMember({"kal", "slt"}));
   verb->add_option("--strip", options->strip, "PNG file: one picture at the centre of each phone");

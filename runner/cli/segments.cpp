@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "runner/cli/protocol_file.hpp"
-#include "runner/cli/segments_file.hpp"
 #include "runner/cli/segments_verbs.hpp"
 #include "runner/cli/spoken_score.hpp"
 #include "runner/cli/text_table.hpp"
@@ -18,6 +17,7 @@
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/timeline/inventory_file.hpp"
 #include "synth/inspection/context_slopes.hpp"
 #include "synth/speech/contact_check.hpp"
 
@@ -110,7 +110,7 @@ bool print_contacts(const synth::SegmentTable& table) {
 }
 
 ExitCode check(const CheckOptions& options) {
-  const auto file = segments_file(options.file);
+  const auto file = inventory_file(options.file);
   std::vector<Diagnostic> diagnostics;
   const auto table = synth::SegmentTable::parse(read_file(file), file.string(), diagnostics);
   print(diagnostics);
@@ -122,7 +122,7 @@ ExitCode check(const CheckOptions& options) {
 }
 
 ExitCode slopes(const std::string& segments) {
-  const synth::SegmentTable table{segments_file(segments)};
+  const synth::SegmentTable table{inventory_file(segments)};
   const synth::Head head{asset("synth/assets/head")};
   std::vector<std::vector<std::string>> rows{
       {"consonants", "articulator", "face", "measured", "difference"}};

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "runner/cli/segments_file.hpp"
 #include "runner/cli/segments_verbs.hpp"
 #include "runner/cli/text_table.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/figures/figure.hpp"
 #include "stimuli/picture/image.hpp"
+#include "stimuli/timeline/inventory_file.hpp"
 #include "synth/face/head.hpp"
 #include "synth/render/head_renderer.hpp"
 #include "synth/speech/segment_table.hpp"
@@ -141,7 +141,7 @@ ExitCode show(const ShowOptions& options) {
   if (const auto* fault = std::get_if<SegmentFault>(&parsed)) {
     throw Error{fmt::format("{}; {}", fault->finding, fault->remedy)};
   }
-  const synth::SegmentTable table{segments_file(options.segments)};
+  const synth::SegmentTable table{inventory_file(options.segments)};
   const auto parts = face_segments(std::get<Segment>(parsed));
   if (parts.size() > 1 && !(options.output.empty() && options.picture.empty())) {
     throw Error{fmt::format("{} is two segments for the face; show {} or {}",

@@ -11,6 +11,7 @@
 #include "runner/store/stored_session.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
+#include "synth/speech/segment_table.hpp"
 
 namespace bimodal::runner {
 
@@ -98,18 +99,28 @@ void refuse_repetition(const std::filesystem::path& data,
   }
 }
 
-/// What was chosen when the protocol was read, as JSON; empty if nothing was.
+/// What was chosen when the protocol was read, and what it rests on beside its own text, as JSON;
+/// empty if there is nothing.
 std::string cast_text(const protocols::ReadProtocol& read) {
   const auto& cast = read.cast;
-  if (cast.without.empty() && cast.with.empty() && read.corpora.empty()) return {};
-  nlohmann::json text{{"without", cast.without}, {"with", cast.with}};
+  nlohmann::json text;
+  if (!cast.without.empty() || !cast.with.empty() || !read.corpora.empty()) {
+    text = {{"without", cast.without}, {"with", cast.with}};
+  }
   for (const auto& [name, corpus] : read.corpora) {
     std::error_code ignored;
     text["corpora"][name] = {{"name", corpus.name},
                              {"folder", std::filesystem::absolute(corpus.folder, ignored).string()},
                              {"manifest_sha256", corpus.sha256}};
   }
-  return text.dump();
+  for (const auto& condition : read.protocol.conditions) {
+    if (!condition.visual_talker || protocols::is_corpus(*condition.visual_talker)) continue;
+    const auto& file = condition.articulating.segments;
+    auto& inventories = text["inventories"];
+    const auto name = std::filesystem::path{file}.filename().string();
+    if (!inventories.contains(name)) inventories[name] = synth::SegmentTable{file}.sha256();
+  }
+  return text.is_null() ? std::string{} : text.dump();
 }
 
 /// The phones as presented.
@@ -169,6 +180,10 @@ std::vector<PlanRecord> plan_records(const protocols::ReadProtocol& read,
                       .visual_talker = condition.visual_talker,
                       .noise_seed = trial.noise_seed};
     if (trial.word.seen && condition.visual_talker) record.visual_word = trial.word.seen->spelling;
+    const auto& shown = trial.word.seen ? trial.word.seen->articulation : trial.word.articulation;
+    const bool has_face =
+        condition.visual_talker && !protocols::is_corpus(*condition.visual_talker);
+    if (has_face && !shown.empty()) record.articulation = spell(shown);
     if (condition.snr) record.snr_db = condition.snr->count();
     records.push_back(std::move(record));
   }

@@ -6,7 +6,7 @@
 
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/said_text.hpp"
-#include "runner/cli/segments_file.hpp"
+#include "stimuli/timeline/inventory_file.hpp"
 #include "stimuli/words/plain_text.hpp"
 #include "synth/speech/durations.hpp"
 #include "synth/voice/voice.hpp"
@@ -67,7 +67,7 @@ void add_spoken_options(CLI::App& verb, SpokenOptions& options) {
 
 void add_account_option(CLI::App& verb, std::string& account) {
   std::vector<std::string> names;
-  for (const auto& row : synth::accounts()) names.emplace_back(row.name);
+  for (const auto& row : accounts()) names.emplace_back(row.name);
   verb.add_option("--account",
                   account,
                   fmt::format("account of coarticulation: {}; the first is the default",
@@ -76,7 +76,7 @@ void add_account_option(CLI::App& verb, std::string& account) {
 }
 
 synth::SegmentTable chosen_segments(const SpokenOptions& options) {
-  return synth::SegmentTable{segments_file(options.segments)};
+  return synth::SegmentTable{inventory_file(options.segments)};
 }
 
 namespace {

@@ -22,7 +22,7 @@ struct SpokenOptions {
 /// Adds the positional argument and the options --method, --from, --voice, --rate, --segments.
 void add_spoken_options(CLI::App& verb, SpokenOptions& options);
 
-/// Adds --account: one of synth::accounts() by its name, "dominance" by default.
+/// Adds --account: one of accounts() by its name, "dominance" by default.
 void add_account_option(CLI::App& verb, std::string& account);
 
 /// The inventory that the options choose: a file, or the name of one that ships. Throws Error

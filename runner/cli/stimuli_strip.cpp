@@ -122,16 +122,19 @@ class StripMaker {
                film.picture_of_frame.size(),
                rate.count());
     Row row{.condition = condition.name, .pictures = {}, .captions = {}};
-    for (const auto& timed : enactment.seen.phones) {
+    const bool is_face = !enactment.articulation.empty();
+    for (std::size_t i = 0; i < enactment.seen.phones.size(); ++i) {
+      const auto& timed = enactment.seen.phones[i];
+      const auto segment = is_face ? enactment.articulation[i].segment : Segment{timed.phone};
       const auto centre = timed.start + timed.duration / 2;
       const auto number = film.picture_of_frame[frame_shown_at(layout, rate, centre)];
       const auto source = number != Film::kBlank && !film.source_frame_of_picture.empty()
                               ? fmt::format("  frame {}", film.source_frame_of_picture[number])
                               : std::string{};
       const auto ms = std::chrono::duration<double, std::milli>{centre}.count();
-      fmt::print("  {:<5} {:>7.1f} ms{}\n", symbol(timed.phone), ms, source);
+      fmt::print("  {:<5} {:>7.1f} ms{}\n", symbol(segment), ms, source);
       row.pictures.push_back(scaled_picture(film, number));
-      row.captions.push_back(fmt::format("{} {:.0f} ms{}", symbol(timed.phone), ms, source));
+      row.captions.push_back(fmt::format("{} {:.0f} ms{}", symbol(segment), ms, source));
     }
     rows_.push_back(std::move(row));
   }

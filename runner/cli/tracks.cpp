@@ -51,7 +51,7 @@ ExitCode tracks(const TracksOptions& options) {
   const auto claims = synth::claims_of(score, chosen_segments(options.spoken));
   const auto sampled = synth::sample(claims,
                                      {.rate = Hertz{options.rate_hz},
-                                      .account = synth::account_from_name(options.account).value(),
+                                      .account = account_from_name(options.account).value(),
                                       .controls = options.controls,
                                       .with_dominance = options.dominance});
   if (form == "pdf" || form == "png") {

@@ -9,6 +9,7 @@
 #include "stimuli/audio/release.hpp"
 #include "stimuli/audio/time_scale.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/timeline/ambiguous_word.hpp"
 
 namespace bimodal::runner {
 
@@ -60,6 +61,11 @@ void refuse_silent(const Performance& performance, const Word& word) {
                           performance.source ? performance.source->file : std::string{})};
 }
 
+Duration release_of(const Performance& performance) {
+  if (performance.release) return *performance.release;
+  return bimodal::release_of(performance.sound, performance.utterance);
+}
+
 void bring_together(const Performance* heard, const Performance& seen, Enactment& enactment) {
   if (heard == nullptr || heard == &seen) {
     enactment.length = seen.sound.samples.empty() ? seen.length() : seen.sound.duration();
@@ -69,8 +75,8 @@ void bring_together(const Performance* heard, const Performance& seen, Enactment
     enactment.sound = borrowed(seen.sound);
     return;
   }
-  const auto heard_release = release_of(heard->sound, heard->utterance);
-  const auto seen_release = release_of(seen.sound, seen.utterance);
+  const auto heard_release = release_of(*heard);
+  const auto seen_release = release_of(seen);
   const Duration start =
       heard_release - seen_release;  // of what is seen, when the sound begins at 0
   const Duration heard_start = std::max(Duration{}, -start);
@@ -124,23 +130,30 @@ Duration gate_instant(const protocols::Gate& gate, const Utterance& utterance, c
 }  // namespace
 
 Enactment enact(const protocols::Condition& condition, const Word& word, Repertoire& repertoire) {
-  const SeenWord same{word.spelling, word.phones};
+  const SeenWord same{word.spelling, word.phones, word.articulation};
   const auto& word_seen = word.seen ? *word.seen : same;
+  const bool natural = condition.visual_talker && protocols::is_corpus(*condition.visual_talker);
   const Performance* heard = nullptr;
   if (condition.auditory_talker) {
     heard = &repertoire.perform(*condition.auditory_talker, word.spelling, word.phones);
     refuse_silent(*heard, word);
   }
+  // What is heard times the face, unless another word is seen or another talker.
+  const bool is_timed_by_voice =
+      !condition.visual_talker ||
+      (heard != nullptr && !word.seen && talker_seen(condition) == *condition.auditory_talker);
   const auto& seen =
-      condition.visual_talker
-          ? repertoire.perform(talker_seen(condition), word_seen.spelling, word_seen.phones)
-          : *heard;
+      is_timed_by_voice ? *heard : repertoire.perform(talker_seen(condition), word_seen);
   Enactment enactment;
   bring_together(heard, seen, enactment);
   if (heard != nullptr) enactment.sound_source = heard->source;
-  const bool natural = condition.visual_talker && protocols::is_corpus(*condition.visual_talker);
   if (natural) enactment.picture_source = seen.source;
   change_manner(condition.manner, enactment);
+  if (condition.visual_talker && !natural) {
+    auto segments = word_seen.articulation;
+    if (enactment.reversed) std::ranges::reverse(segments);
+    enactment.articulation = articulated(enactment.seen, segments);
+  }
   if (condition.manner.gate) {
     enactment.gate = gate_instant(
         *condition.manner.gate, heard != nullptr ? enactment.heard : enactment.seen, word);

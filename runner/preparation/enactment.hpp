@@ -2,9 +2,11 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "protocols/model/protocol.hpp"
 #include "runner/preparation/repertoire.hpp"
+#include "stimuli/timeline/segment.hpp"
 #include "stimuli/words/word_list.hpp"
 
 namespace bimodal::runner {
@@ -16,8 +18,10 @@ struct Enactment {
   /// What is heard: as long as the enactment. Null: nothing. What the gate silences still sounds
   /// here.
   std::shared_ptr<const Clip> sound;
-  Utterance heard;                               ///< its phones; empty if nothing is heard
-  Utterance seen;                                ///< what the face does, or the recording's phones
+  Utterance heard;  ///< its phones; empty if nothing is heard
+  Utterance seen;   ///< what is said by the picture
+  /// What the synthetic face does, ambiguous where the word is; empty for a natural picture.
+  std::vector<TimedSegment> articulation;
   std::optional<RecordedSource> sound_source;    ///< of a natural voice
   std::optional<RecordedSource> picture_source;  ///< of natural video
   /// Where the start of the picture's recording stands, before rate and reversal.
@@ -32,9 +36,10 @@ struct Enactment {
 /// Puts together what a condition and a word ask for. Two different performances (a voice and the
 /// video of another talker, or the same talker's of another word) are aligned at the release of
 /// their first consonants (release_of); where one is longer than the other, the sound is silent and
-/// the picture rests. The rate changes after that, then the direction, then the gate falls. Throws
-/// Error, naming the word, if a talker cannot say it, a recording that is to be heard has no sound,
-/// or the gate lies behind the end.
+/// the picture rests. An ambiguous word that nobody is heard to say has the times between its two
+/// ends (see between()). The rate changes after that, then the direction, then the gate falls.
+/// Throws Error, naming the word, if a talker cannot say it, a recording that is to be heard has no
+/// sound, or the gate lies behind the end.
 [[nodiscard]] Enactment enact(const protocols::Condition& condition,
                               const Word& word,
                               Repertoire& repertoire);

@@ -36,7 +36,6 @@ class TalkingFace final : public FrameSource {
 
 FaceTalker::FaceTalker(std::size_t height, std::uint32_t background)
     : head_{asset("synth/assets/head")},
-      segments_{asset("synth/assets/segments/english.json")},
       renderer_{head_,
                 {.width = height * 8 / 9,
                  .height = height,
@@ -44,8 +43,10 @@ FaceTalker::FaceTalker(std::size_t height, std::uint32_t background)
                  .field_mm = 312.0,  // the whole head, crown to neck
                  .backdrop = plain(background)}} {}
 
-std::unique_ptr<FrameSource> FaceTalker::say(const Utterance& utterance) {
-  return std::make_unique<TalkingFace>(renderer_, synth::Articulation{utterance, segments_});
+std::unique_ptr<FrameSource> FaceTalker::say(std::span<const TimedSegment> segments,
+                                             const synth::SegmentTable& table,
+                                             Account account) {
+  return std::make_unique<TalkingFace>(renderer_, synth::Articulation{segments, table, account});
 }
 
 }  // namespace bimodal::runner

@@ -1,6 +1,7 @@
 #include "runner/preparation/film_studio.hpp"
 
 #include "runner/preparation/natural_talker.hpp"
+#include "stimuli/timeline/inventory_file.hpp"
 
 namespace bimodal::runner {
 
@@ -16,6 +17,12 @@ FaceTalker& FilmStudio::face(const ShownLook& look) {
   return *face;
 }
 
+const synth::SegmentTable& FilmStudio::table(const std::string& file) {
+  const auto known = tables_.find(file);
+  if (known != tables_.end()) return known->second;
+  return tables_.emplace(file, synth::SegmentTable{inventory_file(file)}).first->second;
+}
+
 Film FilmStudio::film(const protocols::Condition& condition,
                       const Enactment& enactment,
                       const StimulusLayout& layout,
@@ -24,7 +31,9 @@ Film FilmStudio::film(const protocols::Condition& condition,
   const auto& look = look_of(condition);
   auto source = enactment.picture_source
                     ? natural_talker(enactment, look.lines, drawing_rate, checkpoint)
-                    : face(look).say(enactment.seen);
+                    : face(look).say(enactment.articulation,
+                                     table(condition.articulating.segments),
+                                     condition.articulating.account);
   const auto shown = with_look(std::move(source), look);
   std::optional<Cut> cut;
   if (enactment.gate) {

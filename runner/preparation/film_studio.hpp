@@ -10,6 +10,7 @@
 #include "runner/preparation/face_talker.hpp"
 #include "runner/preparation/frame_source.hpp"
 #include "runner/preparation/shown_look.hpp"
+#include "synth/speech/segment_table.hpp"
 
 namespace bimodal::runner {
 
@@ -33,11 +34,13 @@ class FilmStudio {
 
  private:
   [[nodiscard]] FaceTalker& face(const ShownLook& look);
+  [[nodiscard]] const synth::SegmentTable& table(const std::string& file);
 
   const protocols::Window& window_;
   const std::map<std::string, Corpus>& corpora_;
   std::map<std::pair<std::size_t, std::uint32_t>, std::unique_ptr<FaceTalker>> faces_;
-  std::map<std::string, ShownLook> looks_;  ///< by the condition's name
+  std::map<std::string, synth::SegmentTable> tables_;  ///< by their files
+  std::map<std::string, ShownLook> looks_;             ///< by the condition's name
 };
 
 }  // namespace bimodal::runner

@@ -1,6 +1,7 @@
 #include "runner/preparation/repertoire.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -9,8 +10,10 @@
 
 #include "protocols/model/talker.hpp"
 #include "stimuli/audio/noise.hpp"
+#include "stimuli/audio/release.hpp"
 #include "stimuli/audio/resample.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/timeline/ambiguous_word.hpp"
 
 namespace bimodal::runner {
 
@@ -28,7 +31,7 @@ void end_with(Utterance& utterance, Duration end) {
 /// Silent outside of the stretch, with falls of 5 ms at its edges: words cut out of running speech
 /// have their neighbours in their margins.
 void keep_only(Clip& sound, const SpeechInterval& clear) {
-  constexpr Duration kFall = std::chrono::milliseconds{5};
+  constexpr Duration kFall = std::chrono::nanoseconds{5};
   const auto sample = [&](Duration time) {
     const auto nearest = std::max<std::int64_t>(0, nearest_sample(time, sound.rate).count());
     return std::min(static_cast<std::size_t>(nearest), sound.samples.size());
@@ -53,7 +56,22 @@ Performance Repertoire::speak(const std::string& talker,
   auto spoken = voice->second.speak(spelling, phones);
   return {.sound = resample(spoken.sound, rate_),
           .utterance = std::move(spoken.utterance),
-          .source = std::nullopt};
+          .source = std::nullopt,
+          .release = std::nullopt};
+}
+
+Performance Repertoire::lie_between(const std::string& talker, const SeenWord& word) {
+  const auto& segments = word.articulation;
+  const auto& from = perform(talker, word.spelling, first_end(segments));
+  const auto& to = perform(talker, word.spelling, last_end(segments));
+  const auto nanoseconds = [](const Performance& performance) {
+    return static_cast<double>(release_of(performance.sound, performance.utterance).count());
+  };
+  const auto release = std::lerp(nanoseconds(from), nanoseconds(to), mean_share(segments));
+  return {.sound = {.rate = rate_, .samples = {}},
+          .utterance = between(from.utterance, to.utterance, segments),
+          .source = std::nullopt,
+          .release = Duration{std::llround(release)}};
 }
 
 Performance Repertoire::play(const std::string& name, const std::string& spelling) {
@@ -73,7 +91,8 @@ Performance Repertoire::play(const std::string& name, const std::string& spellin
                                .file = recording.file,
                                .sha256 = recording.sha256,
                                .path = media_file(corpus->second, item->recording),
-                               .span = {item->start, item->end}}};
+                               .span = {item->start, item->end}},
+      .release = std::nullopt};
   const auto& source = *performance.source;
   if (tracks_.has_sound(source.path)) {
     performance.sound = tracks_.read(source.path, rate_, source.span);
@@ -101,6 +120,17 @@ const Performance& Repertoire::perform(const std::string& talker,
         "the talker '{}' is not known; use 'festival:kal', 'festival:slt' or 'corpus:NAME'",
         talker)};
   }
+  return *kept;
+}
+
+const Performance& Repertoire::perform(const std::string& talker, const SeenWord& word) {
+  if (word.articulation.empty() || protocols::is_corpus(talker)) {
+    return perform(talker, word.spelling, word.phones);
+  }
+  auto made = lie_between(talker, word);
+  const std::lock_guard lock{mutex_};
+  auto& kept = performances_[talker + ' ' + word.spelling + ' ' + spell(word.articulation)];
+  if (!kept) kept = std::make_unique<Performance>(std::move(made));
   return *kept;
 }
 

@@ -10,6 +10,7 @@
 #include "stimuli/corpus/corpus.hpp"
 #include "stimuli/timeline/utterance.hpp"
 #include "stimuli/video/kept_tracks.hpp"
+#include "stimuli/words/word_list.hpp"
 #include "synth/voice/voice.hpp"
 
 namespace bimodal::runner {
@@ -29,6 +30,8 @@ struct Performance {
   Clip sound;                            ///< at the session's rate; empty if the recording has none
   Utterance utterance;                   ///< ends where the recording ends
   std::optional<RecordedSource> source;  ///< of a natural talker
+  /// The release of the first consonant; absent: to be measured in the sound (release_of).
+  std::optional<Duration> release;
 
   [[nodiscard]] Duration length() const { return utterance.end(); }
 };
@@ -49,6 +52,11 @@ class Repertoire {
                                            const std::string& spelling,
                                            const Pronunciation& phones);
 
+  /// A word as it times a face. An ambiguous one of a voice has no sound: its times, and its
+  /// release, lie between those of its two ends (see between()). A corpus says it as it was
+  /// recorded. As above.
+  [[nodiscard]] const Performance& perform(const std::string& talker, const SeenWord& word);
+
   [[nodiscard]] Hertz rate() const { return rate_; }
 
   [[nodiscard]] const std::map<std::string, Corpus>& corpora() const { return corpora_; }
@@ -57,6 +65,7 @@ class Repertoire {
   [[nodiscard]] Performance speak(const std::string& talker,
                                   const std::string& spelling,
                                   const Pronunciation& phones);
+  [[nodiscard]] Performance lie_between(const std::string& talker, const SeenWord& word);
   [[nodiscard]] Performance play(const std::string& name, const std::string& spelling);
 
   Hertz rate_;

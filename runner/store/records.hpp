@@ -47,8 +47,9 @@ struct PlanRecord {
   std::string phase;  ///< "practice" or "main"
   int block = 0;
   std::string word;
-  std::string phones;                      ///< "S T UW"
-  std::optional<std::string> visual_word;  ///< what was seen, if it was another word
+  std::string phones;                       ///< "S T UW"
+  std::optional<std::string> visual_word;   ///< what was seen, if it was another word
+  std::optional<std::string> articulation;  ///< what the face did where sounds are ambiguous
   std::string condition;
   std::optional<std::string> auditory_talker;
   std::optional<std::string> visual_talker;

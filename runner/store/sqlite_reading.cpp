@@ -88,6 +88,7 @@ StoredTrial trial_from(const Statement& row, Detail detail) {
   plan.snr_db = optional_real(row, 9);
   plan.noise_seed = unsigned_from(row.text(10));
   plan.visual_word = optional_text(row, 21);
+  plan.articulation = optional_text(row, 23);
   auto& trial = stored.trial;
   trial.trial = plan.trial;
   trial.stimulus_start = row.duration(11);
@@ -174,7 +175,9 @@ void read_events(Database& database, const TrialsById& trials) {
 std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Detail detail) {
   Database database{file, Database::Access::Read};
   check_schema(database, file.string());
-  const bool has_recordings = database.pragma("user_version") >= 2;
+  const auto version = database.pragma("user_version");
+  const bool has_recordings = version >= 2;
+  const bool has_articulations = version >= 3;
 
   std::vector<StoredSession> sessions;
   std::map<std::int64_t, std::size_t> position;
@@ -202,6 +205,7 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
       " response, submitted_ns, first_key_ns, timed_out, refresh_frame,"
       " refresh_planned_ns, refresh_shown_ns, " +
           std::string{has_recordings ? "visual_word, refresh_source_frame" : "NULL, NULL"} +
+          std::string{has_articulations ? ", articulation" : ", NULL"} +
           " FROM trial JOIN plan USING (session, trial) ORDER BY session, trial"};
   while (trial_row.step()) {
     sessions.at(position.at(trial_row.integer(0))).trials.push_back(trial_from(trial_row, detail));

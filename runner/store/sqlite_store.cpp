@@ -129,6 +129,7 @@ class SqliteStore final : public SessionStore {
         .bind(planned.snr_db)
         .bind(std::to_string(planned.noise_seed))
         .bind(planned.visual_word)
+        .bind(planned.articulation)
         .run();
   }
 
@@ -204,7 +205,8 @@ class SqliteStore final : public SessionStore {
                             "INSERT INTO session VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, NULL, "
                             "NULL, ?, ?, ?, ?, ?, ?, "
                             "?, ?, ?, ?)"};
-  Statement insert_plan_{database_, "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  Statement insert_plan_{database_,
+                         "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_trial_{database_,
                           "INSERT INTO trial VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_recording_{database_,

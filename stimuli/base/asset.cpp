@@ -1,8 +1,8 @@
 #include "stimuli/base/asset.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <system_error>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,6 +31,16 @@ std::filesystem::path asset(std::string_view path_in_project) {
       " Looked for:{}",
       path_in_project,
       tried)};
+}
+
+std::vector<std::string> asset_names(std::string_view folder_in_project,
+                                     std::string_view extension) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator{asset(folder_in_project)}) {
+    if (entry.path().extension() == extension) names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 }  // namespace bimodal

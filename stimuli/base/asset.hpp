@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace bimodal {
 
@@ -10,5 +12,10 @@ namespace bimodal {
 /// ../share/bimodal beside the program, then in the source tree that the program was built from.
 /// Throws Error, listing the places, if it is in none of them.
 [[nodiscard]] std::filesystem::path asset(std::string_view path_in_project);
+
+/// The names, without their extension, of the files that the project ships in a folder and that end
+/// with `extension` (".json"); in order. Throws Error as asset() does.
+[[nodiscard]] std::vector<std::string> asset_names(std::string_view folder_in_project,
+                                                   std::string_view extension);
 
 }  // namespace bimodal

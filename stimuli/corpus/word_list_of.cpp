@@ -18,7 +18,7 @@ WordList word_list_of(const Corpus& corpus) {
 
 std::vector<std::string_view> symbols_of(std::span<const Phone> phones) {
   std::vector<std::string_view> symbols;
-  std::ranges::transform(phones, std::back_inserter(symbols), symbol);
+  for (const Phone phone : phones) symbols.push_back(symbol(phone));
   return symbols;
 }
 

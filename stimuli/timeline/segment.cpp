@@ -11,10 +11,9 @@ namespace bimodal {
 namespace {
 
 SegmentFault no_phone(std::string_view text) {
-  return {.finding = fmt::format("\"{}\" is no phone", text),
-          .remedy =
-              "write ARPAbet symbols, e.g. \"S T UW\", and \"B~W:3/8\" for step 3 of 8 from "
-              "B to W"};
+  return {.finding = fmt::format("\"{}\" is not a phone", text),
+          .remedy = fmt::format("use the symbols {}, and \"B~W:3/8\" for step 3 of 8 from B to W",
+                                spell(all_phones().subspan(1)))};
 }
 
 SegmentFault no_step(std::string_view text) {
@@ -70,6 +69,24 @@ std::variant<Segment, SegmentFault> parse_segment(std::string_view symbol) {
       step && steps && *steps >= 1 && *steps <= kMostSteps && *step >= 0 && *step <= *steps;
   if (!is_on_the_way) return no_step(symbol);
   return Segment{*from, *to, *step, *steps};
+}
+
+std::variant<Segment, SegmentFault> parse_sound(std::string_view symbol) {
+  auto read = parse_segment(symbol);
+  const auto* const segment = std::get_if<Segment>(&read);
+  const bool has_rest =
+      segment != nullptr && (segment->from == Phone::Rest || segment->to == Phone::Rest);
+  if (has_rest) read = no_phone(symbol);
+  return read;
+}
+
+SpelledSegments spelled(std::span<const Segment> segments) {
+  SpelledSegments written;
+  for (const auto& segment : segments) written.phones.push_back(segment.nearer());
+  if (std::ranges::any_of(segments, &Segment::is_ambiguous)) {
+    written.articulation.assign(segments.begin(), segments.end());
+  }
+  return written;
 }
 
 std::vector<Segment> face_segments(const Segment& segment) {

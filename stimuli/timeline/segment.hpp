@@ -33,6 +33,10 @@ struct Segment {
   /// How far from `from` to `to`, 0 to 1.
   [[nodiscard]] constexpr double share() const { return static_cast<double>(step) / steps; }
 
+  /// The phone that it is nearer to: what a voice says that has no ambiguous sounds. Halfway it is
+  /// `from`.
+  [[nodiscard]] constexpr Phone nearer() const { return 2 * step <= steps ? from : to; }
+
   bool operator==(const Segment&) const = default;
 };
 
@@ -53,6 +57,21 @@ struct SegmentFault {
 /// The segment of a symbol in any case: a phone (as phone_from_symbol), or two of them with "~"
 /// between and a step, "b~w:3/8".
 [[nodiscard]] std::variant<Segment, SegmentFault> parse_segment(std::string_view symbol);
+
+/// The same for a sound of a word: rest, and what lies on the way to it, is refused.
+[[nodiscard]] std::variant<Segment, SegmentFault> parse_sound(std::string_view symbol);
+
+/// A word as it is written, some of whose sounds may be ambiguous: what a voice says of it, and
+/// what a face does.
+struct SpelledSegments {
+  Pronunciation phones;  ///< the nearer phone of each
+  /// As many segments as phones; empty if none is ambiguous: the face does what is heard.
+  std::vector<Segment> articulation;
+
+  bool operator==(const SpelledSegments&) const = default;
+};
+
+[[nodiscard]] SpelledSegments spelled(std::span<const Segment> segments);
 
 /// What the face articulates for a segment (see face_segments of a phone): itself, or the halves of
 /// a diphthong. On the way between a diphthong and another phone, that phone stands for both

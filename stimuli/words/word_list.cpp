@@ -18,6 +18,7 @@ using nlohmann::json;
 
 constexpr std::array<std::string_view, 4> kListKeys{"name", "rule", "sources", "words"};
 constexpr std::array<std::string_view, 3> kWordKeys{"word", "phones", "seen"};
+constexpr std::array<std::string_view, 2> kSeenKeys{"word", "phones"};
 constexpr std::string_view kWordRemedy = R"(write {"word": "stew", "phones": ["S", "T", "UW"]})";
 
 std::optional<std::string> read_spelling(const json& entry,
@@ -37,9 +38,9 @@ std::optional<std::string> read_spelling(const json& entry,
   return spelling;
 }
 
-std::optional<Pronunciation> read_phones(const json& entry,
-                                         const std::string& at,
-                                         JudgedJson& judged) {
+std::optional<SpelledSegments> read_phones(const json& entry,
+                                           const std::string& at,
+                                           JudgedJson& judged) {
   const auto found = entry.find("phones");
   if (found == entry.end()) {
     judged.find(at, "there is no \"phones\"", std::string{kWordRemedy});
@@ -52,21 +53,40 @@ std::optional<Pronunciation> read_phones(const json& entry,
                 R"(give the phones in an array, such as ["S", "T", "UW"])");
     return std::nullopt;
   }
-  Pronunciation phones;
+  std::vector<Segment> segments;
   for (std::size_t index = 0; index < found->size(); ++index) {
     const json& symbol = (*found)[index];
-    const auto phone =
-        symbol.is_string() ? phone_from_symbol(symbol.get_ref<const std::string&>()) : std::nullopt;
-    if (phone.has_value() && *phone != Phone::Rest) {
-      phones.push_back(*phone);
+    const auto read = parse_sound(symbol.is_string() ? symbol.get_ref<const std::string&>() : "");
+    if (const auto* const fault = std::get_if<SegmentFault>(&read)) {
+      judged.find(
+          fmt::format("{}/{}", pointer, index),
+          symbol.is_string() ? fault->finding : fmt::format("{} is not a phone", shown(symbol)),
+          fault->remedy);
     } else {
-      judged.find(fmt::format("{}/{}", pointer, index),
-                  fmt::format("{} is not a phone", shown(symbol)),
-                  fmt::format("use the symbols {}", spell(all_phones().subspan(1))));
+      segments.push_back(std::get<Segment>(read));
     }
   }
-  if (phones.size() < found->size()) return std::nullopt;
-  return phones;
+  if (segments.size() < found->size()) return std::nullopt;
+  return spelled(segments);
+}
+
+/// {"word": "da", "phones": ["D", "AA"]} under "seen", or the name of a word of the list.
+std::optional<SeenWord> read_seen(const json& entry, const std::string& at, JudgedJson& judged) {
+  const json& seen = entry.at("seen");
+  if (!seen.is_object()) {
+    const std::string remedy{R"(name a word of this list, such as "seen": "da")"};
+    auto spelling = judged.text_at(entry, at, "seen", remedy);
+    if (!spelling) return std::nullopt;
+    return SeenWord{.spelling = std::move(*spelling), .phones = {}};
+  }
+  const auto pointer = at + "/seen";
+  judged.warn_of_unknown_keys(seen, pointer, kSeenKeys);
+  auto spelling = read_spelling(seen, pointer, judged);
+  auto said = read_phones(seen, pointer, judged);
+  if (!spelling || !said) return std::nullopt;
+  return SeenWord{.spelling = std::move(*spelling),
+                  .phones = std::move(said->phones),
+                  .articulation = std::move(said->articulation)};
 }
 
 /// Absent if anything about the word is wrong.
@@ -77,35 +97,45 @@ std::optional<Word> read_word(const json& entry, const std::string& at, JudgedJs
   }
   judged.warn_of_unknown_keys(entry, at, kWordKeys);
   auto spelling = read_spelling(entry, at, judged);
-  auto phones = read_phones(entry, at, judged);
-  if (!spelling.has_value() || !phones.has_value()) return std::nullopt;
-  Word word{std::move(*spelling), std::move(*phones), std::nullopt};
+  auto said = read_phones(entry, at, judged);
+  if (!spelling.has_value() || !said.has_value()) return std::nullopt;
+  Word word{.spelling = std::move(*spelling),
+            .phones = std::move(said->phones),
+            .seen = std::nullopt,
+            .articulation = std::move(said->articulation)};
   if (entry.contains("seen")) {
-    const std::string remedy{R"(name a word of this list, such as "seen": "da")"};
-    auto seen = judged.text_at(entry, at, "seen", remedy);
-    if (!seen.has_value()) return std::nullopt;
-    word.seen = SeenWord{std::move(*seen), {}};
+    word.seen = read_seen(entry, at, judged);
+    if (!word.seen) return std::nullopt;
+    if (!word.seen->phones.empty() && word.seen->spelling == word.spelling) {
+      judged.find(at + "/seen/word",
+                  fmt::format("\"{}\" is the name of what is heard too", word.spelling),
+                  "give what is seen a name of its own");
+      return std::nullopt;
+    }
   }
   return word;
 }
 
 /// Looks up the phones of what is seen.
 void find_seen(std::vector<Word>& words, JudgedJson& judged) {
-  std::map<std::string, Pronunciation> phones_of;
-  for (const auto& word : words) phones_of.emplace(word.spelling, word.phones);
+  std::map<std::string, SeenWord> known;
+  for (const auto& word : words) {
+    known.emplace(word.spelling, SeenWord{word.spelling, word.phones, word.articulation});
+  }
   for (auto& word : words) {
-    if (!word.seen) continue;
-    const auto found = phones_of.find(word.seen->spelling);
-    if (found == phones_of.end()) {
+    if (!word.seen || !word.seen->phones.empty()) continue;
+    const auto found = known.find(word.seen->spelling);
+    if (found == known.end()) {
       judged.find("/words",
                   fmt::format("\"{}\" is to be seen as \"{}\", which is not in the list",
                               word.spelling,
                               word.seen->spelling),
-                  "add that word with its phones, or remove \"seen\"");
+                  "add that word with its phones, or give them: "
+                  "\"seen\": {\"word\": \"da\", \"phones\": [\"D\", \"AA\"]}");
     } else if (word.seen->spelling == word.spelling) {
       word.seen.reset();
     } else {
-      word.seen->phones = found->second;
+      word.seen = found->second;
     }
   }
 }

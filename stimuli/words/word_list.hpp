@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "stimuli/base/diagnostic.hpp"
-#include "stimuli/timeline/phone.hpp"
+#include "stimuli/timeline/segment.hpp"
 
 namespace bimodal {
 
@@ -14,6 +14,7 @@ namespace bimodal {
 struct SeenWord {
   std::string spelling;  ///< lower case
   Pronunciation phones;
+  std::vector<Segment> articulation = {};  ///< as in Word
 
   bool operator==(const SeenWord&) const = default;
 };
@@ -23,6 +24,9 @@ struct Word {
   std::string spelling;  ///< lower case
   Pronunciation phones;
   std::optional<SeenWord> seen;  ///< absent: what is seen is what is heard
+  /// What a synthetic face does where sounds are ambiguous, "B~W:3/8 AA": as many segments as
+  /// phones, which are the nearer ones. Empty: it does what the phones say.
+  std::vector<Segment> articulation = {};
 
   bool operator==(const Word&) const = default;
 };
@@ -35,9 +39,11 @@ struct WordList {
 /// "ba", or "ba seen as da" for a dubbed one: how a word is named to people.
 [[nodiscard]] std::string shown_name(const Word& word);
 
-/// Reads `{"words": [{"word": "stew", "phones": ["S", "T", "UW"]}, ...]}`; a word to be dubbed onto
-/// another names it: `"seen": "da"`, one of the same list. Appends every mistake (not JSON, unknown
-/// phone, missing key, doubled word, no words) to `diagnostics`, and returns what could be read.
+/// Reads `{"words": [{"word": "stew", "phones": ["S", "T", "UW"]}, ...]}`; phones may be ambiguous
+/// segments, "B~W:3/8". A word to be dubbed onto another names it: `"seen": "da"`, one of the same
+/// list, or spells it out: `"seen": {"word": "da", "phones": ["D", "AA"]}`. Appends every mistake
+/// (not JSON, unknown phone, missing key, doubled word, no words) to `diagnostics`, and returns
+/// what could be read.
 [[nodiscard]] WordList read_word_list(const std::filesystem::path& file,
                                       std::vector<Diagnostic>& diagnostics);
 

@@ -74,6 +74,10 @@ class SegmentTable {
   /// end it is that phone, virtual targets and all. The same preconditions.
   [[nodiscard]] SegmentTarget at(const Segment& segment, Control control) const;
 
+  /// SHA-256 of the text, followed by this digest of the file that it extends, if any: two tables
+  /// of the same digest are the same.
+  [[nodiscard]] const std::string& sha256() const { return sha256_; }
+
   /// What each source key stands for.
   [[nodiscard]] const std::map<std::string, std::string>& sources() const { return sources_; }
 
@@ -83,6 +87,7 @@ class SegmentTable {
 
   SegmentTargets targets_;
   std::map<std::string, std::string> sources_;
+  std::string sha256_;
 };
 
 }  // namespace bimodal::synth

@@ -46,6 +46,7 @@ class SegmentTableReader {
     const auto located = findings_.located(lines, file_);
     diagnostics_.insert(diagnostics_.end(), located.begin(), located.end());
     if (has_errors(located)) return std::nullopt;
+    table_.sha256_ = sha256(std::string{text} + table_.sha256_);
     return std::move(table_);
   }
 

@@ -46,7 +46,7 @@ TEST_F(SpeechVerbs, TracksOfTextGoByDictionaryRulesOrTypedPhones) {
 
 TEST_F(SpeechVerbs, TracksSayWhatIsWrong) {
   EXPECT_THAT(bimodal({"tracks", "S Q", "--from", "arpabet"}),
-              ended(ExitCode::InvalidInput, HasSubstr("\"Q\" is no phone")));
+              ended(ExitCode::InvalidInput, HasSubstr("\"Q\" is not a phone")));
   EXPECT_THAT(bimodal({"tracks", "stew", "--controls", "jow"}),
               ended(ExitCode::InvalidInput, HasSubstr("did you mean 'jaw'")));
   EXPECT_THAT(bimodal({"tracks", "stew", "--segments", "klingon"}),
@@ -79,7 +79,7 @@ TEST_F(SpeechVerbs, SegmentsAreCheckedAndShown) {
               ended(ExitCode::Done, HasSubstr("lip_protrusion")));
   EXPECT_TRUE(std::filesystem::exists(path("uw.svg")));
   EXPECT_THAT(bimodal({"segments", "show", "Q"}),
-              ended(ExitCode::InvalidInput, HasSubstr("\"Q\" is no phone")));
+              ended(ExitCode::InvalidInput, HasSubstr("\"Q\" is not a phone")));
   const auto bad =
       written("bad.json", R"({"extends": "english.json", "sources": {}, "groups": 3})");
   EXPECT_THAT(bimodal({"segments", "check", bad}),

@@ -107,5 +107,19 @@ TEST(Words414, GivesEachParticipant138WordsPerConditionInSixBlocks) {
   }
 }
 
+TEST(BaWa, DubsNineStepsOntoTwoSyllables) {
+  const auto read = read_protocol(asset("protocols/library/ba-wa.json"), {});
+  EXPECT_TRUE(read.diagnostics.empty());
+  ASSERT_EQ(read.words.words.size(), 18U);
+  for (std::size_t i = 0; i < 18; ++i) {
+    const auto& word = read.words.words[i];
+    const Phone heard = i < 9 ? Phone::B : Phone::W;
+    EXPECT_EQ(word.phones, (Pronunciation{heard, Phone::AA}));
+    ASSERT_TRUE(word.seen);
+    EXPECT_EQ(word.seen->articulation.at(0),
+              (Segment{Phone::B, Phone::W, static_cast<int>(i % 9), 8}));
+  }
+}
+
 }  // namespace
 }  // namespace bimodal::protocols

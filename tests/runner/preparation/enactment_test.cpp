@@ -1,5 +1,6 @@
 #include "runner/preparation/enactment.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 #include "stimuli/audio/release.hpp"
 #include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/digest.hpp"
+#include "stimuli/base/error.hpp"
 #include "tests/stimuli/video/made_media.hpp"
 
 namespace bimodal::runner {
@@ -231,6 +233,91 @@ TEST_F(EnactmentTest, AWordThatNobodySaysIsNamed) {
   EXPECT_THAT(made_media::message_of(
                   [&] { static_cast<void>(enact(both("corpus:made", "face"), ga, repertoire)); }),
               HasSubstr("has no item without doubt for \"ga\""));
+}
+
+Word bw(int step) {
+  const std::vector<Segment> segments{{Phone::B, Phone::W, step, 8}, Phone::AA};
+  auto [phones, articulation] = spelled(segments);
+  return {.spelling = "bw",
+          .phones = std::move(phones),
+          .seen = std::nullopt,
+          .articulation = std::move(articulation)};
+}
+
+protocols::Condition seen_only() {
+  protocols::Condition condition;
+  condition.name = "seen";
+  condition.visual_talker = "face";
+  return condition;
+}
+
+TEST_F(EnactmentTest, AnAmbiguousWordThatIsOnlySeenLastsBetweenItsEnds) {
+  Repertoire repertoire{Hertz{48'000}, none_};
+  const auto& ba = repertoire.perform("festival:kal", "bw", {Phone::B, Phone::AA});
+  const auto& wa = repertoire.perform("festival:kal", "bw", {Phone::W, Phone::AA});
+  const auto first = enact(seen_only(), bw(0), repertoire);
+  const auto last = enact(seen_only(), bw(8), repertoire);
+  EXPECT_EQ(first.seen, ba.utterance);
+  EXPECT_EQ(last.seen, wa.utterance);
+  EXPECT_NE(first.length, last.length);
+  for (int step = 0; step <= 8; ++step) {
+    const auto enactment = enact(seen_only(), bw(step), repertoire);
+    const double expected =
+        std::lerp(milliseconds(ba.length()), milliseconds(wa.length()), step / 8.0);
+    EXPECT_NEAR(milliseconds(enactment.length), expected, 0.001) << step;
+    ASSERT_EQ(enactment.articulation.size(), 4U);
+    EXPECT_EQ(enactment.articulation[1].segment, (Segment{Phone::B, Phone::W, step, 8}));
+    EXPECT_EQ(enactment.sound, nullptr);
+  }
+}
+
+TEST_F(EnactmentTest, AVoiceSaysTheNearerSoundAndTimesTheFace) {
+  Repertoire repertoire{Hertz{48'000}, none_};
+  const auto enactment = enact(both("festival:kal", "face"), bw(7), repertoire);
+  EXPECT_EQ(enactment.heard,
+            repertoire.perform("festival:kal", "bw", {Phone::W, Phone::AA}).utterance);
+  EXPECT_EQ(enactment.seen, enactment.heard);
+  EXPECT_FALSE(enactment.release);
+  EXPECT_EQ(enactment.articulation.at(1).segment, (Segment{Phone::B, Phone::W, 7, 8}));
+}
+
+TEST_F(EnactmentTest, AnAmbiguousWordMeetsTheHeardOneAtItsReleaseBetweenThoseOfItsEnds) {
+  Repertoire repertoire{Hertz{48'000}, none_};
+  const auto release = [&](Phone consonant) {
+    const auto& spoken = repertoire.perform("festival:kal", "bw", {consonant, Phone::AA});
+    return milliseconds(release_of(spoken.sound, spoken.utterance));
+  };
+  for (int step = 0; step <= 8; ++step) {
+    auto word = kBa;
+    word.seen = SeenWord{"bw", bw(step).phones, bw(step).articulation};
+    const auto enactment = enact(both("festival:kal", "face"), word, repertoire);
+    ASSERT_TRUE(enactment.release);
+    const double expected = std::lerp(release(Phone::B), release(Phone::W), step / 8.0);
+    EXPECT_NEAR(milliseconds(*enactment.release - enactment.picture_start), expected, 0.001)
+        << step;
+    EXPECT_EQ(enactment.articulation.at(1).segment, (Segment{Phone::B, Phone::W, step, 8}));
+  }
+}
+
+TEST_F(EnactmentTest, ReversedTheSegmentsComeFromTheEnd) {
+  Repertoire repertoire{Hertz{48'000}, none_};
+  auto condition = seen_only();
+  condition.manner.reversed = true;
+  const auto enactment = enact(condition, bw(3), repertoire);
+  EXPECT_EQ(enactment.articulation.at(1).segment, Segment{Phone::AA});
+  EXPECT_EQ(enactment.articulation.at(2).segment, (Segment{Phone::B, Phone::W, 3, 8}));
+}
+
+TEST_F(EnactmentTest, ARecordingTimesAmbiguousSegmentsOnlyOfItsOwnNumber) {
+  make_corpus();
+  Repertoire repertoire{Hertz{48'000}, corpora_};
+  auto word = bw(3);
+  word.spelling = "ba";
+  const auto enactment = enact(both("corpus:made", "face"), word, repertoire);
+  const auto is_ambiguous = [](const TimedSegment& timed) { return timed.segment.is_ambiguous(); };
+  EXPECT_EQ(std::ranges::count_if(enactment.articulation, is_ambiguous), 1);
+  word.articulation.push_back(Phone::D);
+  EXPECT_THROW(static_cast<void>(enact(both("corpus:made", "face"), word, repertoire)), Error);
 }
 
 }  // namespace

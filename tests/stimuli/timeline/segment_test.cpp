@@ -34,9 +34,9 @@ TEST(Segment, IsWrittenAsItIsRead) {
 }
 
 TEST(Segment, SaysWhatIsNoSegment) {
-  EXPECT_EQ(fault("Q"), "\"Q\" is no phone");
-  EXPECT_EQ(fault("b~q:3/8"), "\"q\" is no phone");
-  EXPECT_EQ(fault("~w:3/8"), "\"\" is no phone");
+  EXPECT_EQ(fault("Q"), "\"Q\" is not a phone");
+  EXPECT_EQ(fault("b~q:3/8"), "\"q\" is not a phone");
+  EXPECT_EQ(fault("~w:3/8"), "\"\" is not a phone");
   for (const auto* const text : {"b~w",
                                  "b~w:3",
                                  "b~w:9/8",
@@ -60,6 +60,28 @@ TEST(FaceSegments, TakeADiphthongInHalvesOnBothSides) {
   EXPECT_EQ(face_segments(Segment{AY, OY, 1, 4}), (std::vector<Segment>{{AA, AO, 1, 4}, IH}));
   EXPECT_EQ(face_segments(Segment{IY, AY, 1, 4}),
             (std::vector<Segment>{{IY, AA, 1, 4}, {IY, IH, 1, 4}}));
+}
+
+TEST(Segment, IsHeardAsTheNearerPhoneHalfwayAsTheFirst) {
+  EXPECT_EQ(parsed("b~w:3/8").nearer(), B);
+  EXPECT_EQ(parsed("b~w:4/8").nearer(), B);
+  EXPECT_EQ(parsed("b~w:5/8").nearer(), W);
+  EXPECT_EQ(parsed("b~w:500/999").nearer(), W);
+  EXPECT_EQ(parsed("s").nearer(), S);
+}
+
+TEST(SpelledSegments, HaveAnArticulationOnlyWhereSomethingIsAmbiguous) {
+  const std::vector<Segment> plain{B, AA};
+  EXPECT_EQ(spelled(plain), (SpelledSegments{{B, AA}, {}}));
+  const std::vector<Segment> ambiguous{{B, W, 7, 8}, AA};
+  EXPECT_EQ(spelled(ambiguous), (SpelledSegments{{W, AA}, ambiguous}));
+}
+
+TEST(SoundOfAWord, IsNeverRest) {
+  for (const auto* const text : {"rest", "rest~b:1/2", "b~rest:0/2", "q", ""}) {
+    EXPECT_TRUE(std::holds_alternative<SegmentFault>(parse_sound(text))) << text;
+  }
+  EXPECT_TRUE(std::holds_alternative<Segment>(parse_sound("b~w:1/2")));
 }
 
 }  // namespace

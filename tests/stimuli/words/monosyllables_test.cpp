@@ -79,7 +79,7 @@ TEST(Monosyllables, Are414DifferentWords) {
 
 TEST(Monosyllables, HaveTheDictionarysOnlyPronunciationAndOneSyllable) {
   for (const WordList* list : {&main_list(), &practice(), &familiar()}) {
-    for (const auto& [spelling, phones, seen] : list->words) {
+    for (const auto& [spelling, phones, seen, articulation] : list->words) {
       ASSERT_EQ(dictionary().pronunciations(spelling).size(), 1U) << spelling;
       EXPECT_EQ(dictionary().pronunciations(spelling)[0], phones) << spelling;
       EXPECT_TRUE(is_one_syllable(phones)) << spelling;
@@ -91,7 +91,7 @@ TEST(Monosyllables, HaveTheDictionarysOnlyPronunciationAndOneSyllable) {
 TEST(Monosyllables, SoundLikeNoOtherWordOfTheirsOrOfThePracticeWords) {
   std::map<Pronunciation, std::string> heard;
   for (const WordList* list : {&main_list(), &practice()}) {
-    for (const auto& [spelling, phones, seen] : list->words) {
+    for (const auto& [spelling, phones, seen, articulation] : list->words) {
       EXPECT_TRUE(heard.emplace(phones, spelling).second) << spelling << " = " << heard[phones];
     }
   }
@@ -100,12 +100,12 @@ TEST(Monosyllables, SoundLikeNoOtherWordOfTheirsOrOfThePracticeWords) {
 TEST(Monosyllables, SoundLikeNoOtherFamiliarMonosyllable) {
   std::map<Pronunciation, int> count;
   std::set<std::string> answers;
-  for (const auto& [spelling, phones, seen] : familiar().words) {
+  for (const auto& [spelling, phones, seen, articulation] : familiar().words) {
     ++count[phones];
     answers.insert(spelling);
   }
   for (const WordList* list : {&main_list(), &practice()}) {
-    for (const auto& [spelling, phones, seen] : list->words) {
+    for (const auto& [spelling, phones, seen, articulation] : list->words) {
       EXPECT_TRUE(answers.contains(spelling)) << spelling;
       EXPECT_EQ(count[phones], 1) << spelling;
     }
@@ -116,7 +116,7 @@ TEST(Monosyllables, HaveEveryConsonantThatEnglishAllowsThereAndEveryVowelOfTheDi
   std::set<Phone> initial;
   std::set<Phone> final;
   std::set<Phone> vowels;
-  for (const auto& [spelling, phones, seen] : main_list().words) {
+  for (const auto& [spelling, phones, seen, articulation] : main_list().words) {
     initial.insert(phones.front());
     final.insert(phones.back());
     vowels.insert(phones[vowel_at(phones)]);

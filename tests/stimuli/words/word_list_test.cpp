@@ -94,5 +94,38 @@ TEST(WordList, ReportsAFileThatIsNotThere) {
   EXPECT_THAT(describe(diagnostics[0]), HasSubstr("cannot read 'no/such/words.json'"));
 }
 
+TEST(WordList, ReadsAmbiguousSounds) {
+  const auto [list, messages] = read(R"({"words": [
+    {"word": "bw-7", "phones": ["B~W:7/8", "AA"]},
+    {"word": "ba", "phones": ["B", "AA"], "seen": "bw-7"},
+    {"word": "wa", "phones": ["W", "AA"], "seen": {"word": "bw-1", "phones": ["b~w:1/8", "AA"]}}]})");
+  EXPECT_THAT(messages, IsEmpty());
+  ASSERT_EQ(list.words.size(), 3U);
+  const std::vector<Segment> bw{{Phone::B, Phone::W, 7, 8}, Phone::AA};
+  EXPECT_EQ(list.words[0].phones, (Pronunciation{Phone::W, Phone::AA}));
+  EXPECT_EQ(list.words[0].articulation, bw);
+  EXPECT_TRUE(list.words[1].articulation.empty());
+  ASSERT_TRUE(list.words[1].seen);
+  EXPECT_EQ(list.words[1].seen->articulation, bw);
+  ASSERT_TRUE(list.words[2].seen);
+  EXPECT_EQ(list.words[2].seen->spelling, "bw-1");
+  EXPECT_EQ(list.words[2].seen->phones, (Pronunciation{Phone::B, Phone::AA}));
+}
+
+TEST(WordList, SaysWhatIsWrongWithAmbiguousAndSeenWords) {
+  const auto messages = read(R"({"words": [
+    {"word": "bw", "phones": ["B~W:9/8", "AA"]},
+    {"word": "br", "phones": ["B~rest:1/8", "AA"]},
+    {"word": "ba", "phones": ["B", "AA"], "seen": {"word": "ba", "phones": ["W"]}},
+    {"word": "da", "phones": ["D", "AA"], "seen": {"word": "ga", "phones": ["Q"], "as": 1}}]})")
+                            .messages;
+  EXPECT_THAT(messages,
+              ElementsAre(HasSubstr("/words/0/phones/0: \"B~W:9/8\" names no step"),
+                          HasSubstr("/words/1/phones/0: \"B~rest:1/8\" is not a phone"),
+                          HasSubstr("/words/2/seen/word: \"ba\" is the name of what is heard too"),
+                          HasSubstr("/words/3/seen/as"),
+                          HasSubstr("/words/3/seen/phones/0: \"Q\" is not a phone")));
+}
+
 }  // namespace
 }  // namespace bimodal

@@ -170,7 +170,7 @@ TEST(Score, NamesEveryMistakeWithItsLine) {
       "{\"symbol\":\"S\",\"duration_ms\":-5,\"start_ms\":-1},\n"
       "{\"symbol\":\"S\",\"duration_ms\":10,\"start_ms\":20,\"x\":1}]}");
   const auto all = fmt::format("{}", fmt::join(found, "\n"));
-  EXPECT_THAT(all, HasSubstr("score.json:2: /segments/0/symbol: \"Q\" is no phone"));
+  EXPECT_THAT(all, HasSubstr("score.json:2: /segments/0/symbol: \"Q\" is not a phone"));
   EXPECT_THAT(all, HasSubstr("score.json:3: /segments/1/duration_ms: 0 is outside"));
   EXPECT_THAT(all, HasSubstr("score.json:4: /segments/2/duration_ms: -5 is outside"));
   EXPECT_THAT(all, HasSubstr("score.json:4: /segments/2/start_ms: -1 is outside"));
