@@ -1,4 +1,6 @@
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -32,6 +34,7 @@ ExitCode perform(const bimodal::runner::Verb& verb) {
   } catch (const bimodal::Error& error) {
     return complain(error, ExitCode::InvalidInput);
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return ExitCode::InvalidInput;  // told at the end
     return complain(error, ExitCode::Internal);
   }
 }
@@ -98,11 +101,21 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
   return perform(verb);
 }
 
+/// Whether everything that was printed has arrived; tells if it has not (a full disk).
+bool has_arrived() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  fmt::print(stderr,
+             "bimodal: standard output cannot be written: {}; what was printed is not whole\n",
+             std::strerror(errno));
+  return false;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
   try {
-    return static_cast<int>(perform_what_is_asked(count, arguments));
+    const auto code = perform_what_is_asked(count, arguments);
+    return static_cast<int>(has_arrived() ? code : ExitCode::InvalidInput);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bimodal: %s\n", error.what());
     return static_cast<int>(ExitCode::Internal);

@@ -104,7 +104,7 @@ Figure figure_of(const synth::SegmentTable& table, const Segment& segment) {
   for (const auto& dynamics : dynamics_of(table, segment)) {
     Panel panel{.x_label = "ms from the middle of the segment", .y_label = "dominance"};
     std::string names = fmt::format("{}", fmt::join(dynamics.controls, ", "));
-    constexpr std::size_t kLongest = 60;
+    constexpr std::size_t kLongest = 90;
     if (names.size() > kLongest) names = names.substr(0, names.rfind(',', kLongest)) + " ...";
     panel.title = names;
     panel.x_range = {-kReachMs, kReachMs};

@@ -6,6 +6,7 @@
 
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/said_text.hpp"
+#include "stimuli/base/error.hpp"
 #include "stimuli/timeline/inventory_file.hpp"
 #include "stimuli/words/plain_text.hpp"
 #include "synth/speech/durations.hpp"
@@ -20,7 +21,7 @@ std::vector<TimedSegment> timed_phones(const std::vector<Phone>& phones) {
 }
 
 std::vector<TimedSegment> timed_by_festival(const SpokenOptions& options) {
-  const auto item = synth::Voice{options.voice}.speak(ascii_text(options.text));
+  const auto item = synth::Voice{options.voice.value_or("kal")}.speak(ascii_text(options.text));
   std::vector<TimedSegment> segments;
   for (const auto& phone : item.utterance.phones) {
     segments.push_back({.segment = phone.phone, .start = phone.start, .duration = phone.duration});
@@ -29,12 +30,12 @@ std::vector<TimedSegment> timed_by_festival(const SpokenOptions& options) {
 }
 
 std::vector<TimedSegment> timed_segments(const SpokenOptions& options) {
-  if (options.from == "arpabet") return synth::typed_segments(options.text);
-  if (options.from != "text") {
-    return timed_phones(read_phones(options.text, notation_named(options.from)));
-  }
-  if (options.method == "festival") return timed_by_festival(options);
-  return timed_phones(joined(said_words(options.text, options.method)));
+  const auto from = options.from.value_or("text");
+  const auto method = options.method.value_or("dictionary");
+  if (from == "arpabet") return synth::typed_segments(options.text);
+  if (from != "text") return timed_phones(read_phones(options.text, notation_named(from)));
+  if (method == "festival") return timed_by_festival(options);
+  return timed_phones(joined(said_words(options.text, method)));
 }
 
 }  // namespace
@@ -89,10 +90,39 @@ synth::Score score_of_file(const std::string& file) {
   return score;
 }
 
+/// Options that would have no effect are mistakes.
+void refuse_idle_options(const SpokenOptions& options, bool is_score) {
+  const auto refuse = [](std::string_view option, std::string_view reason) {
+    throw Error{fmt::format("{} has no effect: {}; leave it out", option, reason)};
+  };
+  if (is_score && options.from) refuse("--from", "a score is read as it is");
+  const bool is_text = !is_score && options.from.value_or("text") == "text";
+  if (!is_text && options.method) refuse("--method", "only texts are read by a method");
+  if (options.voice && options.method != "festival") {
+    refuse("--voice", "only --method festival has a voice");
+  }
+}
+
+/// A name that ends with ".json"; another file that is there is refused, not said as a text.
+bool names_score(const std::string& text) {
+  auto ending = std::filesystem::path{text}.extension().string();
+  for (char& letter : ending) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  if (ending == ".json") return true;
+  std::error_code ignored;
+  if (text.find('/') != std::string::npos && std::filesystem::exists(text, ignored)) {
+    throw Error{fmt::format(
+        "'{}' is a file or folder, but no score; the name of a score ends with .json", text)};
+  }
+  return false;
+}
+
 }  // namespace
 
 synth::Score spoken_score(const SpokenOptions& options) {
-  const bool is_score = std::filesystem::path{options.text}.extension() == ".json";
+  const bool is_score = names_score(options.text);
+  refuse_idle_options(options, is_score);
   return synth::at_rate(
       is_score ? score_of_file(options.text) : synth::score_of(timed_segments(options)),
       options.rate);

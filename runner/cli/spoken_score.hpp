@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -11,10 +12,10 @@ namespace bimodal::runner {
 
 /// What is to be articulated, as the command line says it.
 struct SpokenOptions {
-  std::string text;  ///< a text, a transcription, or the name of a score
-  std::string method = "dictionary";
-  std::string from = "text";
-  std::string voice = "kal";
+  std::string text;                   ///< a text, a transcription, or the name of a score
+  std::optional<std::string> method;  ///< of a text; absent: "dictionary"
+  std::optional<std::string> from;    ///< absent: "text"
+  std::optional<std::string> voice;   ///< of the method "festival"; absent: "kal"
   double rate = 1;
   std::string segments = "english";
 };

@@ -72,7 +72,14 @@ class PanelPainter {
   }
 
   void paint_axes() {
-    canvas_.words(panel_.title, {corner_.x + kLeft, corner_.y + 12}, 10, Align::Left, true);
+    constexpr double kTitleSize = 10;
+    constexpr double kSmallestTitle = 6;
+    constexpr double kBold = 1.12;  // bold letters are wider than those that are measured
+    const double width = kBold * canvas_.width_of(panel_.title, kTitleSize);
+    const double room = box_.width + kRight;
+    const double fitting =
+        width > room ? std::max(kSmallestTitle, kTitleSize * room / width) : kTitleSize;
+    canvas_.words(panel_.title, {corner_.x + kLeft, corner_.y + 12}, fitting, Align::Left, true);
     const double bottom = origin_.y + box_.height;
     const auto y_ticks =
         ticks(range_.y.first, range_.y.second, std::max(2, static_cast<int>(box_.height / 32)));
@@ -105,14 +112,20 @@ class PanelPainter {
     canvas_.words(label, {x, bottom + 13}, kWordSize, Align::Centre);
   }
 
+  /// A name that would run into the one before it is left out.
   void paint_stretches() {
+    double free_from = corner_.x;
     for (const auto& stretch : panel_.stretches) {
       const double from = place({stretch.from, 0}).x;
       const double to = place({stretch.to, 0}).x;
       for (const double x : {from, to}) {
         line({x, origin_.y}, {x, origin_.y + box_.height}, kGrid, 0.7, Stroke::Solid);
       }
-      canvas_.words(stretch.label, {(from + to) / 2, origin_.y - 4}, kWordSize, Align::Centre);
+      const double middle = (from + to) / 2;
+      const double half = canvas_.width_of(stretch.label, kWordSize) / 2;
+      if (middle - half < free_from) continue;
+      canvas_.words(stretch.label, {middle, origin_.y - 4}, kWordSize, Align::Centre);
+      free_from = middle + half + 1;
     }
   }
 

@@ -43,6 +43,10 @@ bool is_opaque(const Image& image) {
 void write_png(const Image& image, const std::filesystem::path& file) {
   assert(image.width > 0 && image.height > 0);
   assert(image.pixels.size() == image.width * image.height * kBytesPerPixel);
+  if (file.extension() != ".png") {
+    throw Error{
+        fmt::format("'{}': pictures are written as PNG; end the name with .png", file.string())};
+  }
   png_image png = png_in_our_layout();
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);

@@ -92,6 +92,8 @@ SpelledSegments spelled(std::span<const Segment> segments) {
 std::vector<Segment> face_segments(const Segment& segment) {
   const auto from = face_segments(segment.from);
   const auto to = face_segments(segment.to);
+  if (from.size() != to.size() && segment.step == 0) return {from.begin(), from.end()};
+  if (from.size() != to.size() && segment.step == segment.steps) return {to.begin(), to.end()};
   const auto count = std::max(from.size(), to.size());
   std::vector<Segment> parts;
   for (std::size_t i = 0; i < count; ++i) {

@@ -75,7 +75,7 @@ struct SpelledSegments {
 
 /// What the face articulates for a segment (see face_segments of a phone): itself, or the halves of
 /// a diphthong. On the way between a diphthong and another phone, that phone stands for both
-/// halves.
+/// halves; at the ends it is the diphthong, and the other phone alone.
 [[nodiscard]] std::vector<Segment> face_segments(const Segment& segment);
 
 /// One segment and when it lasts, from the start of the utterance.

@@ -6,6 +6,7 @@
 
 #include "stimuli/base/asset.hpp"
 #include "stimuli/words/letter_context.hpp"
+#include "stimuli/words/plain_text.hpp"
 
 namespace bimodal {
 
@@ -73,13 +74,16 @@ class WordGatherer {
   void read(std::size_t begin, const LetterRule& rule) {
     phones_.insert(phones_.end(), rule.phones.begin(), rule.phones.end());
     bool parted = rule.ends.has_value();
+    auto pause = rule.ends.value_or(Pause::None);
     for (std::size_t at = begin; at < begin + rule.letters.size(); ++at) {
       if (text_.is_written_blank(at)) parted = true;
+      const auto origin = text_.origin(at);
+      if (origin != kNowhere && parts_no_words(original_, origin)) pause = Pause::None;
       if (!is_of_word(text_.letters()[at])) continue;
       if (begin_ == kNowhere) begin_ = text_.origin(at);
       end_ = text_.origin(at) + 1;
     }
-    if (parted) finish(rule.ends.value_or(Pause::None));
+    if (parted) finish(pause);
   }
 
   std::vector<PronouncedWord> take() {

@@ -111,6 +111,16 @@ bool is_digit(char letter) {
   return letter >= '0' && letter <= '9';
 }
 
+bool parts_no_words(std::string_view text, std::size_t at) {
+  const char mark = text[at];
+  if ((mark != '.' && mark != ',') || at == 0 || at + 1 >= text.size()) return false;
+  const char before = text[at - 1];
+  const char after = text[at + 1];
+  if (is_digit(before) && is_digit(after)) return true;
+  const bool is_lone = at < 2 || (!is_letter(text[at - 2]) && !is_digit(text[at - 2]));
+  return mark == '.' && is_letter(before) && is_lone && is_letter(after);
+}
+
 std::size_t choice_length(std::string_view text, std::size_t at) {
   if (at >= text.size() || text[at] != '(') return 0;
   std::size_t end = at + 1;

@@ -24,6 +24,10 @@ namespace bimodal {
 [[nodiscard]] bool is_letter(char letter);
 [[nodiscard]] bool is_digit(char letter);
 
+/// Whether a full stop or comma parts no words: between digits ("3.14", "10,000"), and after a
+/// letter of an abbreviation that goes on ("U.S.A").
+[[nodiscard]] bool parts_no_words(std::string_view text, std::size_t at);
+
 /// How many characters "(2)", "(12)" has that begins at `at`; 0 if none begins there.
 [[nodiscard]] std::size_t choice_length(std::string_view text, std::size_t at);
 

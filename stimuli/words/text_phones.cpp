@@ -66,8 +66,9 @@ class DictionaryReader {
   std::vector<PronouncedWord> read(std::string_view plain) {
     for (std::size_t at = 0; at < plain.size();) {
       if (!is_of_word(plain[at])) {
-        if (!words_.empty())
+        if (!words_.empty() && !parts_no_words(plain, at)) {
           words_.back().after = std::max(words_.back().after, pause_of(plain[at]));
+        }
         ++at;
         continue;
       }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include "synth/figures/paper_figures.hpp"
 
@@ -8,6 +9,21 @@ namespace bimodal::synth {
 namespace {
 
 constexpr double kStepMs = 0.5;
+
+constexpr FigureColour kShared = 0x808080;  ///< of what is the same in all traces
+
+/// What the traces of a panel have in common: whether each claim of the first is that of all.
+std::vector<bool> shared_claims(const PaperPanel& panel) {
+  const auto first = claims_of(panel.traces.front().score).claims.front();
+  std::vector<bool> shared(first.size(), panel.traces.size() > 1);
+  for (const auto& trace : panel.traces) {
+    const auto claims = claims_of(trace.score).claims.front();
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+      shared[i] = shared[i] && i < claims.size() && claims[i] == first[i];
+    }
+  }
+  return shared;
+}
 
 /// The panel that both rows of one figure begin with.
 Panel frame(const PaperPanel& panel, const ScoreClaims& first, double end_ms) {
@@ -51,6 +67,8 @@ Figure drawn(const PaperFigure& figure) {
     control.title = has_dominance ? "" : panel.title;
     control.y_label = panel.y_label;
     control.x_label = "time (ms)";
+    const auto shared = shared_claims(panel);
+    Marks shared_targets{.colour = kShared};
     for (std::size_t i = 0; i < panel.traces.size(); ++i) {
       const auto& trace = panel.traces[i];
       const auto claims = claims_of(trace.score);
@@ -62,9 +80,13 @@ Figure drawn(const PaperFigure& figure) {
         movement->at(Milliseconds{time}, std::span{&value, 1});
         moved.points.push_back({time, value});
       }
-      for (const auto& claim : claims.claims.front()) {
-        targets.points.push_back({claim.peak.count(), claim.target});
-        Curve dominated{.colour = figure_colour(i)};
+      for (std::size_t k = 0; k < claims.claims.front().size(); ++k) {
+        const auto& claim = claims.claims.front()[k];
+        const bool is_shared = k < shared.size() && shared[k];
+        if (is_shared && i > 0) continue;
+        auto& marks = is_shared ? shared_targets : targets;
+        marks.points.push_back({claim.peak.count(), claim.target});
+        Curve dominated{.colour = is_shared ? kShared : figure_colour(i)};
         for (double time = 0; time <= trace.score.end().count(); time += kStepMs) {
           dominated.points.push_back({time, claim.dominance.at(Milliseconds{time} - claim.peak)});
         }
@@ -73,6 +95,7 @@ Figure drawn(const PaperFigure& figure) {
       control.curves.push_back(std::move(moved));
       control.marks.push_back(std::move(targets));
     }
+    control.marks.push_back(std::move(shared_targets));
     control.y_range = {0, 1};
     above.push_back(std::move(dominance));
     below.push_back(std::move(control));

@@ -59,7 +59,7 @@ PaperFigure figure_five() {
           .title = "Figure 5. The less alpha of segment 1, the more segment 2 intrudes",
           .caption =
               "As figure 4, with four values of alpha for segment 1 (the values are chosen "
-              "by us).",
+              "by us). Grey: the same in all.",
           .panels = {panel}};
 }
 
@@ -149,7 +149,8 @@ PaperFigure figure_eleven() {
   return {.name = "figure11",
           .title = "Figure 11. /utu/: the faster, the more its two gestures become one",
           .caption =
-              "Only durations change with rate. Right: with a much lower alpha of /t/ the "
+              "Only durations change with rate (circles: the targets of /u/, /t/, /u/). Right: "
+              "with a much lower alpha of /t/ the "
               "trough of English talkers becomes the plateau of Turkish ones (Boyce 1990). "
               "Durations, theta .02 and alphas are chosen by us.",
           .panels = {rates, languages},

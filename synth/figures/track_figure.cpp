@@ -76,8 +76,13 @@ Figure figure_of(const Tracks& tracks, const std::string& title) {
     for (std::size_t i = 0; i < tracks.controls.size(); ++i) shown.push_back(i);
   }
   Figure figure{.title = title, .panels = {}};
-  figure.columns = shown.size() > 1 ? 2 : 1;
-  figure.panel_width = 420;
+  constexpr std::size_t kManySegments = 40;
+  figure.columns = shown.size() > 1 && tracks.segments.size() < kManySegments ? 2 : 1;
+  // Wide enough for the names of the segments.
+  constexpr double kSegmentWidth = 20;
+  constexpr double kWidest = 2000;
+  figure.panel_width =
+      std::clamp(kSegmentWidth * static_cast<double>(tracks.segments.size()) + 60, 420.0, kWidest);
   figure.panel_height = 170;
   for (std::size_t first = 0; first < shown.size(); first += figure.columns) {
     const auto last = std::min(first + figure.columns, shown.size());

@@ -9,6 +9,7 @@
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/json_lines.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/base/nearest.hpp"
 #include "stimuli/base/object_reader.hpp"
 #include "synth/speech/score.hpp"
 
@@ -50,7 +51,10 @@ class ScoreReader {
 
   Score read(const json& root) {
     ObjectReader reader{root, "", findings_};
-    static_cast<void>(reader.find("about"));
+    // What `tracks --json` writes is a score, too: what was sampled is passed over.
+    for (const auto key : {"about", "rate_hz", "time_ms", "controls", "dominance"}) {
+      static_cast<void>(reader.find(key));
+    }
     read_definitions(reader);
     reader.require("segments",
                    "the list of segments, e.g. [{\"symbol\": \"S\", \"duration_ms\": 140}]");
@@ -59,6 +63,7 @@ class ScoreReader {
     }
     reader.refuse_unknown_keys();
     refuse_unknown_symbols();
+    warn_of_mistyped_controls();
     warn_of_unused_definitions();
     return std::move(score_);
   }
@@ -119,7 +124,13 @@ class ScoreReader {
     if (!value.is_object()) return controls;
     for (const auto& [name, asked] : value.items()) {
       const auto at = pointer + "/" + escape_pointer(name);
-      if (reader.text_of(name, at, kControlName)) controls[name] = read_target(asked, at);
+      if (!reader.text_of(name, at, kControlName)) continue;
+      if (name == "time_ms" || name.find('@') != std::string::npos) {
+        findings_.error(at,
+                        "the name is kept for a column of the tracks",
+                        "choose another, which has no \"@\"");
+      }
+      controls[name] = read_target(asked, at);
     }
     return controls;
   }
@@ -171,6 +182,25 @@ class ScoreReader {
       if (used.contains(name)) continue;
       findings_.warning(
           "/definitions", fmt::format("no segment is \"{}\"", name), "is it mistyped?");
+    }
+  }
+
+  /// Controls may have any name; but one that is nearly that of the face is likely to be meant so.
+  void warn_of_mistyped_controls() {
+    std::vector<std::string_view> known;
+    for (const auto& row : controls()) known.push_back(row.name);
+    std::set<std::string, std::less<>> told;
+    for (std::size_t i = 0; i < score_.segments.size(); ++i) {
+      for (const auto& [name, ignored] : score_.segments[i].controls) {
+        if (control_from_name(name) || !told.insert(name).second) continue;
+        const auto near = nearest(name, known);
+        if (!near) continue;
+        findings_.warning(pointers_[i],
+                          fmt::format("\"{}\" is no control of the face", name),
+                          fmt::format("did you mean \"{}\"? Otherwise never mind: it is a "
+                                      "control of the score's own",
+                                      *near));
+      }
     }
   }
 

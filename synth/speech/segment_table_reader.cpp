@@ -86,7 +86,9 @@ class SegmentTableReader {
     const auto extended = root.find("extends");
     const bool extends = extended != root.end();
     if (extends) read_extended(*extended);
-    if (const auto* sources = object_in(root, "sources")) read_sources(*sources);
+    if (!extends || root.contains("sources")) {
+      if (const auto* sources = object_in(root, "sources")) read_sources(*sources);
+    }
     SegmentGroups groups{table_.targets_, table_.sources_, findings_};
     if (const auto* all = object_in(root, "groups")) {
       for (const auto& [name, group] : all->items()) {

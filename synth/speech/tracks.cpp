@@ -32,6 +32,9 @@ void choose(Tracks& tracks, const ScoreClaims& claims, const std::vector<std::st
                               near ? fmt::format("did you mean '{}'? ", *near) : "",
                               fmt::join(known, ", "))};
     }
+    if (std::ranges::find(tracks.controls, name) != tracks.controls.end()) {
+      throw Error{fmt::format("'{}' is asked for twice; once is enough", name)};
+    }
     tracks.controls.push_back(name);
     tracks.claims.push_back(
         claims.claims[static_cast<std::size_t>(found - claims.controls.begin())]);

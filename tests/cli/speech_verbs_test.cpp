@@ -1,6 +1,9 @@
 // From text to articulation on the command line: tracks, figures, segments, continuum.
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -64,6 +67,43 @@ TEST_F(SpeechVerbs, TracksSayWhatIsWrong) {
   EXPECT_THAT(bimodal({"tracks", ""}), ended(ExitCode::InvalidInput, HasSubstr("no words")));
 }
 
+TEST_F(SpeechVerbs, TracksRefuseOptionsWithoutEffectAndFilesThatAreNoScores) {
+  const auto score = written("score.json", R"({"segments":[{"symbol":"S","duration_ms":100}]})");
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{score, "--from", "text"},
+                                             {score, "--method", "nrl"},
+                                             {score, "--voice", "kal"},
+                                             {"S T UW", "--from", "arpabet", "--method", "nrl"},
+                                             {"stew", "--voice", "slt"}}) {
+    std::vector<std::string> all{"tracks"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    EXPECT_THAT(bimodal(all), ended(ExitCode::InvalidInput, HasSubstr("has no effect")))
+        << arguments[1];
+  }
+  EXPECT_THAT(bimodal({"tracks", path("")}),
+              ended(ExitCode::InvalidInput, HasSubstr("the name of a score ends with .json")));
+}
+
+TEST_F(SpeechVerbs, WhatTracksWriteAsJsonIsAScore) {
+  ASSERT_THAT(bimodal({"tracks", "stew", "--rate-hz", "10", "-o", path("stew.json")}),
+              ended(ExitCode::Done, HasSubstr("stew.json")));
+  ASSERT_THAT(bimodal({"tracks", "stew", "--rate-hz", "10", "-o", path("stew.csv")}),
+              ended(ExitCode::Done, HasSubstr("stew.csv")));
+  ASSERT_THAT(bimodal({"tracks",
+                       path("stew.json"),
+                       "--rate-hz",
+                       "10",
+                       "--controls",
+                       "jaw",
+                       "-o",
+                       path("2.csv")}),
+              ended(ExitCode::Done, HasSubstr("1 controls")));
+  ASSERT_THAT(
+      bimodal({"tracks", "stew", "--rate-hz", "10", "--controls", "jaw", "-o", path("1.csv")}),
+      ended(ExitCode::Done, HasSubstr("1 controls")));
+  EXPECT_EQ(bytes("1.csv"), bytes("2.csv"));
+}
+
 TEST_F(SpeechVerbs, FiguresOfThePaperAreTenDocuments) {
   EXPECT_THAT(bimodal({"figures", "-o", path("figures")}),
               ended(ExitCode::Done, HasSubstr("figure11.svg")));
@@ -93,10 +133,90 @@ TEST_F(SpeechVerbs, AContinuumHasTokensTablePlotsAndPictures) {
        {"tokens.csv", "controls.svg", "movements.svg", "strip.png", "token0.csv", "token2.mp4"}) {
     EXPECT_TRUE(std::filesystem::exists(path("bw") + "/" + name)) << name;
   }
+  EXPECT_THAT(bytes("bw/words.json"), HasSubstr("\"word\": \"b~w:1/2\""));
+  EXPECT_THAT(bimodal({"continuum", "b", "w", "--high", "2", "-o", path("none")}),
+              ended(ExitCode::InvalidInput, HasSubstr("values of --vary")));
   EXPECT_THAT(bimodal({"continuum", "b", "--steps", "3", "-o", path("none")}),
               ended(ExitCode::InvalidInput, HasSubstr("--vary")));
   EXPECT_THAT(bimodal({"continuum", "b", "w", "--in", "AA", "-o", path("none")}),
               ended(ExitCode::InvalidInput, HasSubstr("\"_\"")));
+}
+
+/// A column of a table of numbers.
+std::vector<double> column(const std::string& csv, const std::string& name) {
+  std::istringstream lines{csv};
+  std::string line;
+  std::getline(lines, line);
+  const auto fields = [](const std::string& text) {
+    std::vector<std::string> found;
+    std::istringstream parts{text};
+    for (std::string field; std::getline(parts, field, ',');) found.push_back(field);
+    return found;
+  };
+  const auto names = fields(line);
+  const auto at = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  std::vector<double> values;
+  while (std::getline(lines, line)) values.push_back(std::stod(fields(line).at(at)));
+  return values;
+}
+
+TEST_F(SpeechVerbs, AContinuumOfTheSpeedOfOpeningOpensSooner) {
+  ASSERT_THAT(bimodal({"continuum",
+                       "b",
+                       "--vary",
+                       "lip_closure.theta_after,lip_compression.theta_after",
+                       "--low",
+                       "0.025",
+                       "--high",
+                       "0.08",
+                       "--in",
+                       "AA _ AA",
+                       "--steps",
+                       "4",
+                       "--no-video",
+                       "--height",
+                       "96",
+                       "-o",
+                       path("speed")}),
+              ended(ExitCode::Done, HasSubstr("4 tokens")));
+  const auto table = bytes("speed/tokens.csv");
+  const auto half_open = column(table, "half_open_ms");
+  const auto shut = column(table, "lips_shut_ms");
+  ASSERT_EQ(half_open.size(), 4U);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_LE(half_open[i], half_open[i - 1]);
+    EXPECT_LT(shut[i], shut[i - 1]);
+  }
+  EXPECT_LT(half_open.back(), half_open.front());
+  EXPECT_GT(shut.back(), 17);
+}
+
+TEST_F(SpeechVerbs, AContinuumTellsWhatTheFaceCannotShow) {
+  EXPECT_THAT(bimodal({"continuum",
+                       "b",
+                       "--vary",
+                       "cheek_puff",
+                       "--high",
+                       "3",
+                       "--steps",
+                       "2",
+                       "--no-video",
+                       "--height",
+                       "96",
+                       "-o",
+                       path("puffed")}),
+              ended(ExitCode::Done, HasSubstr("cheek_puff goes from")));
+}
+
+TEST_F(SpeechVerbs, OutputThatCannotBeWrittenIsAnError) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  const std::string bin{BIMODAL_BIN};
+  for (const auto* const what : {"tracks stew", "phones stew", "--help"}) {
+    const auto command = "( " + bin + "/bimodal " + what + " > /dev/full ) 2> " + path("errors");
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), static_cast<int>(ExitCode::InvalidInput)) << what;
+    EXPECT_THAT(bytes("errors"), HasSubstr("standard output cannot be written")) << what;
+  }
 }
 
 }  // namespace

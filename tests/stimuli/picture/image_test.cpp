@@ -113,6 +113,13 @@ TEST_F(PictureFile, IsRefusedIfPartlyTransparent) {
 
 TEST_F(PictureFile, ThatCannotBeWrittenIsNamed) {
   try {
+    write_png(pattern(2, 2), file("a.jpg"));
+    FAIL() << "a name that does not end with .png was taken";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string_view{error.what()}.find("end the name with .png"),
+              std::string_view::npos);
+  }
+  try {
     write_png(pattern(2, 2), file("no_such_folder") / "a.png");
     FAIL() << "written into a folder that does not exist";
   } catch (const Error& error) {

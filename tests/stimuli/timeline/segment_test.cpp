@@ -58,6 +58,8 @@ TEST(Segment, IsNotAmbiguousBetweenAPhoneAndItself) {
 TEST(FaceSegments, TakeADiphthongInHalvesOnBothSides) {
   EXPECT_EQ(face_segments(Segment{AY}), (std::vector<Segment>{AA, IH}));
   EXPECT_EQ(face_segments(Segment{AY, OY, 1, 4}), (std::vector<Segment>{{AA, AO, 1, 4}, IH}));
+  EXPECT_EQ(face_segments(Segment{IY, AY, 0, 4}), (std::vector<Segment>{IY}));
+  EXPECT_EQ(face_segments(Segment{IY, AY, 4, 4}), (std::vector<Segment>{AA, IH}));
   EXPECT_EQ(face_segments(Segment{IY, AY, 1, 4}),
             (std::vector<Segment>{{IY, AA, 1, 4}, {IY, IH, 1, 4}}));
 }

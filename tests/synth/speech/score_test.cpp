@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "stimuli/base/asset.hpp"
+#include "stimuli/base/error.hpp"
 #include "stimuli/base/random.hpp"
 #include "synth/speech/articulation.hpp"
 #include "synth/speech/durations.hpp"
@@ -132,15 +133,34 @@ TEST(Score, WarnsOfDefinitionsThatNoSegmentUses) {
   EXPECT_THAT(describe(diagnostics[0]), HasSubstr("no segment is \"Q\""));
 }
 
+std::vector<std::string> warnings(const std::string& text) {
+  std::vector<Diagnostic> diagnostics;
+  EXPECT_TRUE(parse_score(text, "score.json", diagnostics));
+  std::vector<std::string> found;
+  for (const auto& diagnostic : diagnostics) found.push_back(describe(diagnostic));
+  return found;
+}
+
+TEST(Score, WarnsOfControlsThatAreNearlyTheFaces) {
+  auto text = with_control("");
+  EXPECT_TRUE(warnings(text).empty());
+  text.replace(text.find("\"p\""), 3, "\"lip_clossure\"");
+  EXPECT_THAT(warnings(text), ElementsAre(HasSubstr("did you mean \"lip_closure\"?")));
+}
+
+TEST(Score, RefusesControlsCalledLikeOtherColumns) {
+  for (const auto* const name : {"time_ms", "p@0"}) {
+    auto text = with_control("");
+    text.replace(text.find("\"p\""), 3, "\"" + std::string{name} + "\"");
+    EXPECT_THAT(faults(text), ElementsAre(HasSubstr("kept for a column"))) << name;
+  }
+}
+
 TEST(Score, OfTracksMovesAsTheTracksDid) {
   const std::vector<Segment> said{S, T, Segment{B, W, 3, 8}, OY, Rest, UW};
   const auto score = score_of(timed(said));
   const auto tracks = sample(claims_of(score, english()), {.rate = Hertz{100}});
-  auto text = json_of(tracks);
-  text =
-      "{\"segments\": " + text.substr(text.find("\"segments\":") + 11,
-                                      text.find("\"time_ms\"") - text.find("\"segments\":") - 11);
-  text = text.substr(0, text.rfind(',')) + "}";
+  const auto text = json_of(tracks);
   const auto again = sample(claims_of(read(text)), {.rate = Hertz{100}});
   ASSERT_EQ(again.controls.size(), tracks.controls.size());
   for (std::size_t i = 0; i < again.controls.size(); ++i) {
@@ -242,6 +262,11 @@ TEST(ScoreProperty, DamagedFilesAreReadOrRefusedAndNeverBreakTheReader) {
     }
   }
   EXPECT_GT(read, 20);
+}
+
+TEST(Tracks, RefuseToGiveAControlTwice) {
+  const auto score = claims_of(read(with_control("")));
+  EXPECT_THROW(static_cast<void>(sample(score, {.controls = {"p", "p"}})), Error);
 }
 
 TEST(Tracks, RefuseControlsThatTheScoreDoesNotHave) {

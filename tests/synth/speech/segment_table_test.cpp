@@ -291,6 +291,20 @@ TEST(SegmentVariant, RefusesWhatItCannotExtend) {
   EXPECT_THAT(complaints(tree.dump()), HasSubstr("/extends: 3 is not the name of a file"));
 }
 
+TEST(SegmentVariant, NeedsNoSourcesOfItsOwnAndHasAnotherDigest) {
+  auto tree = variant();
+  EXPECT_TRUE(tree.erase("sources") == 1);
+  tree["groups"] = nlohmann::json::object();
+  std::vector<Diagnostic> diagnostics;
+  const auto table = SegmentTable::parse(tree.dump(), "variant.json", diagnostics);
+  ASSERT_TRUE(table) << describe(diagnostics.front());
+  const SegmentTable english{asset("synth/assets/segments/english.json")};
+  const SegmentTable again{asset("synth/assets/segments/english.json")};
+  EXPECT_EQ(english.sha256(), again.sha256());
+  EXPECT_EQ(english.sha256().size(), 64U);
+  EXPECT_NE(table->sha256(), english.sha256());
+}
+
 TEST(SegmentVariant, RefusesASourceOfTheSameNameAsTheFileThatItExtends) {
   auto tree = variant();
   tree["sources"]["lips"] = "others";
