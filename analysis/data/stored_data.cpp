@@ -83,6 +83,7 @@ Trial make_trial(const StoredTrial& stored, const SourceFile& file, const Stored
              .snr_db = plan.snr_db,
              .word = plan.word,
              .visual_word = plan.visual_word,
+             .articulation = plan.articulation,
              .phones = phones_of(stored, file, session),
              .response = trial.response.text,
              .first_key = std::nullopt,

@@ -92,6 +92,7 @@ ReportFile trials_table(const Results& results) {
                number(trial.snr_db),
                text(trial.word),
                text(trial.visual_word),
+               text(trial.articulation),
                text(phones),
                text(trial.response),
                text(score.answer),

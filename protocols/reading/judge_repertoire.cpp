@@ -127,7 +127,7 @@ class Judgement {
     };
     if (condition.auditory_talker) {
       judge_talker(*condition.auditory_talker, pointer + "/auditory/talker", part(true, has_face));
-      if (has_face) judge_voice(*condition.auditory_talker, pointer + "/auditory/talker");
+      judge_voice(*condition.auditory_talker, pointer + "/auditory/talker");
     } else if (has_face) {
       judge_talker(condition.timing_talker, pointer + "/timing/talker", part(false, true));
     }

@@ -89,17 +89,18 @@ void tell_limits(const synth::ContinuumDesign& design) {
 
 void print_tokens(const Continuum& continuum) {
   std::vector<std::vector<std::string>> rows{
-      {"token", "sound", "opening mm", "width mm", "shut ms", "half open ms"}};
+      {"token", "sound", "opening mm", "width mm", "shut ms", "half open ms", "fastest mm/s"}};
   for (std::size_t i = 0; i < continuum.tokens.size(); ++i) {
-    const auto& [pose, lips, shut, half_open] = continuum.middles[i];
+    const auto& [pose, lips, shut, half_open, fastest] = continuum.middles[i];
     rows.push_back({token_name(continuum, i),
                     continuum.tokens[i].name,
                     fmt::format("{:.2f}", lips.inner_height_mm),
                     fmt::format("{:.1f}", lips.outer_width_mm),
                     fmt::format("{:.0f}", shut.count()),
-                    half_open ? fmt::format("{:.0f}", half_open->count()) : "-"});
+                    half_open ? fmt::format("{:.0f}", half_open->count()) : "-",
+                    fmt::format("{:.0f}", fastest)});
   }
-  print_text_table(rows, "llrrrr");
+  print_text_table(rows, "llrrrrr");
 }
 
 ExitCode continuum(const ContinuumOptions& options) {
@@ -123,6 +124,7 @@ ExitCode continuum(const ContinuumOptions& options) {
                               fmt::join(options.varied, ", "),
                               design.low,
                               design.high);
+  remove_earlier_tokens(folder);
   write_token_table(made, folder);
   const bool has_words = design.to && write_token_words(made, folder);
   write_token_tracks(made, folder);
@@ -153,8 +155,10 @@ void add_continuum(CLI::App& app, Verb& chosen) {
       "for contacts: synth/speech/README.md); or along controls or dynamics of one sound. Writes "
       "for each token the movement\n"
       "of every control (CSV) and a video, and for all a table, plots over the steps and over\n"
-      "time, and a strip of pictures of the middles; and words.json, a word list that protocols\n"
-      "take. In protocols, scores and elsewhere a token is called as here, e.g. B~W:3/8.\n"
+      "time, and a strip of pictures of the middles; and, between two sounds, words.json, a word "
+      "list\n"
+      "that protocols take. What an earlier continuum left in the folder is removed. In protocols, "
+      "scores and elsewhere a token is called as here, e.g. B~W:3/8.\n"
       "Exit code: 0 done, 3 errors.\n\n"
       "Examples:\n"
       "  bimodal continuum b w --steps 9 --in \"_ AA\" -o bw\n"

@@ -60,27 +60,52 @@ std::vector<synth::Control> asked_differently(const Continuum& continuum) {
   return controls;
 }
 
-/// The opening of the lips, sampled about a segment.
+constexpr std::size_t kNotParted = std::numeric_limits<std::size_t>::max();
+
+/// The opening of the lips, sampled from before the closure at the middle of a segment, if there is
+/// one, to kOpeningTime after its end.
 struct Opening {
   std::vector<double> time_ms;
   std::vector<double> height_mm;
+  std::size_t middle = 0;  ///< index of the segment's middle
+
+  /// Index of the first sample from the middle on at which the lips are not shut.
+  [[nodiscard]] std::size_t parting() const {
+    for (auto i = middle; i < height_mm.size(); ++i) {
+      if (height_mm[i] > kShutGapMm) return i;
+    }
+    return kNotParted;
+  }
 };
 
 Opening opening_about(const synth::ContinuumToken& token,
                       synth::ScoreArticulation& articulation,
                       const synth::Head& head) {
   constexpr double kStep = 4.0;  // ms; between samples the height is taken to run straight
-  const auto& segment = token.score.segments[token.segment];
   const double middle = middle_of(token).count();
-  const double last = middle + std::max(kOpeningTime.count(), segment.duration.count() / 2);
-  Opening opening;
   synth::PosedHead posed;
-  // Steps are counted from the middle, so that it is a sample.
-  const auto steps_back = static_cast<int>(segment.duration.count() / 2 / kStep);
-  for (double time = middle - steps_back * kStep; time <= last; time += kStep) {
+  const auto height_at = [&](double time) {
     head.pose(articulation.at(Milliseconds{time}), posed);
+    return posed.lips.inner_height_mm;
+  };
+  // Steps are counted from the middle, so that it is a sample.
+  Opening opening;
+  const auto add = [&](double time) {
     opening.time_ms.push_back(time);
-    opening.height_mm.push_back(posed.lips.inner_height_mm);
+    opening.height_mm.push_back(height_at(time));
+  };
+  for (double time = middle; time > 0; time -= kStep) {
+    add(time);
+    if (opening.height_mm.back() > kShutGapMm) break;
+  }
+  std::ranges::reverse(opening.time_ms);
+  std::ranges::reverse(opening.height_mm);
+  opening.middle = opening.time_ms.size() - 1;
+  const double end = token.score.end().count();
+  for (double time = middle + kStep; time < end; time += kStep) {
+    const bool is_parted = opening.parting() != kNotParted;
+    if (is_parted && time > opening.time_ms[opening.parting()] + kOpeningTime.count()) break;
+    add(time);
   }
   return opening;
 }
@@ -93,53 +118,51 @@ double crossing(const Opening& opening, std::size_t after, double height) {
   return std::lerp(opening.time_ms[after - 1], opening.time_ms[after], share);
 }
 
-/// The unbroken stretch of shut lips that holds `middle`, else the one nearest to it.
-Milliseconds time_shut(const Opening& opening, double middle, double end) {
-  double nearest = std::numeric_limits<double>::infinity();
-  Milliseconds shut{};
-  std::optional<double> from;
-  for (std::size_t i = 0; i < opening.time_ms.size(); ++i) {
-    const bool is_shut = opening.height_mm[i] <= kShutGapMm;
-    if (is_shut && !from) from = i == 0 ? opening.time_ms[0] : crossing(opening, i, kShutGapMm);
-    const bool is_last = i + 1 == opening.time_ms.size();
-    if (!from || (is_shut && !is_last)) continue;
-    const double to = is_shut ? opening.time_ms[i] : crossing(opening, i, kShutGapMm);
-    const double distance = std::max({0.0, *from - middle, middle - to});
-    if (distance < nearest && *from <= end) {
-      nearest = distance;
-      shut = Milliseconds{to - *from};
-    }
-    from.reset();
-  }
-  return shut;
+Milliseconds time_shut(const Opening& opening) {
+  if (opening.height_mm[opening.middle] > kShutGapMm) return {};
+  const auto& times = opening.time_ms;
+  const bool was_open = opening.height_mm.front() > kShutGapMm;
+  const double from = was_open ? crossing(opening, 1, kShutGapMm) : times.front();
+  const auto parting = opening.parting();
+  const double to = parting == kNotParted ? times.back() : crossing(opening, parting, kShutGapMm);
+  return Milliseconds{to - from};
 }
 
-std::optional<Milliseconds> time_to_half_open(const Opening& opening, double middle) {
-  const auto first = static_cast<std::size_t>(
-      std::ranges::lower_bound(opening.time_ms, middle - 1e-9) - opening.time_ms.begin());
+/// From the parting of the lips (from the middle, if they are open then) on.
+void measure_release(const Opening& opening, TokenMiddle& middle) {
+  const auto parting = opening.parting();
+  if (parting == kNotParted) return;
+  const bool is_shut = parting > opening.middle;
+  const auto first = is_shut ? parting - 1 : opening.middle;
+  const double begin =
+      is_shut ? crossing(opening, parting, kShutGapMm) : opening.time_ms[opening.middle];
   double greatest = 0;
-  for (std::size_t i = first; i < opening.height_mm.size(); ++i) {
+  double fastest = 0;
+  for (auto i = first + 1; i < opening.height_mm.size(); ++i) {
     greatest = std::max(greatest, opening.height_mm[i]);
+    const double step = opening.time_ms[i] - opening.time_ms[i - 1];
+    fastest = std::max(fastest, (opening.height_mm[i] - opening.height_mm[i - 1]) / step * 1e3);
   }
+  middle.fastest_opening_mm_per_s = fastest;
   const double half = greatest / 2;
-  if (greatest <= kShutGapMm || opening.height_mm[first] >= half) return std::nullopt;
-  std::size_t after = first + 1;
+  if (greatest <= kShutGapMm || opening.height_mm[first] >= half) return;
+  auto after = first + 1;
   while (opening.height_mm[after] < half) ++after;
-  return Milliseconds{crossing(opening, after, half) - middle};
+  middle.half_open = Milliseconds{crossing(opening, after, half) - begin};
 }
 
 TokenMiddle middle_face(const synth::ContinuumToken& token,
                         synth::ScoreArticulation& articulation,
                         const synth::Head& head) {
   const auto time = middle_of(token);
-  TokenMiddle middle{.pose = articulation.at(time), .lips = {}, .shut = {}, .half_open = {}};
+  TokenMiddle middle;
+  middle.pose = articulation.at(time);
   synth::PosedHead posed;
   head.pose(middle.pose, posed);
   middle.lips = posed.lips;
   const auto opening = opening_about(token, articulation, head);
-  const auto end = token.score.segments[token.segment].end().count();
-  middle.shut = time_shut(opening, time.count(), end);
-  middle.half_open = time_to_half_open(opening, time.count());
+  middle.shut = time_shut(opening);
+  measure_release(opening, middle);
   return middle;
 }
 
@@ -208,10 +231,24 @@ std::string token_name(const Continuum& continuum, std::size_t token) {
   return fmt::format("token{:0{}}", token, digits);
 }
 
+void remove_earlier_tokens(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+    const auto name = entry.path().filename().string();
+    const auto stem = entry.path().stem().string();
+    const auto ending = entry.path().extension();
+    constexpr std::string_view kToken = "token";
+    const bool is_numbered =
+        stem.size() > kToken.size() && stem.starts_with(kToken) &&
+        stem.find_first_not_of("0123456789", kToken.size()) == std::string::npos;
+    const bool is_token = is_numbered && (ending == ".csv" || ending == ".mp4");
+    if (is_token || name == "words.json") std::filesystem::remove(entry.path());
+  }
+}
+
 void write_token_table(const Continuum& continuum, const std::filesystem::path& folder) {
   std::string text =
       "token,name,place,inner_height_mm,inner_width_mm,inner_area_mm2,outer_width_mm,"
-      "upper_protrusion_mm,lower_protrusion_mm,lips_shut_ms,half_open_ms";
+      "upper_protrusion_mm,lower_protrusion_mm,lips_shut_ms,half_open_ms,fastest_opening_mm_per_s";
   const auto out = std::back_inserter(text);
   for (const auto& row : synth::controls().first<synth::kSpeechControlCount>()) {
     fmt::format_to(out, ",{}", row.name);
@@ -221,7 +258,7 @@ void write_token_table(const Continuum& continuum, const std::filesystem::path& 
     const auto& middle = continuum.middles[i];
     const auto& lips = middle.lips;
     fmt::format_to(out,
-                   "{},{},{},{},{},{},{},{},{},{},{}",
+                   "{},{},{},{},{},{},{},{},{},{},{},{}",
                    token_name(continuum, i),
                    csv_field(continuum.tokens[i].name),
                    continuum.tokens[i].place,
@@ -232,7 +269,8 @@ void write_token_table(const Continuum& continuum, const std::filesystem::path& 
                    lips.upper_protrusion_mm,
                    lips.lower_protrusion_mm,
                    middle.shut.count(),
-                   middle.half_open ? fmt::to_string(middle.half_open->count()) : std::string{});
+                   middle.half_open ? fmt::to_string(middle.half_open->count()) : std::string{},
+                   middle.fastest_opening_mm_per_s);
     for (std::size_t k = 0; k < synth::kSpeechControlCount; ++k) {
       fmt::format_to(out, ",{}", middle.pose.at(k));
     }

@@ -16,12 +16,13 @@ namespace bimodal::runner {
 struct TokenMiddle {
   synth::Pose pose{};
   synth::LipMeasures lips;
-  /// How long the lips are shut (a gap of at most kShutGapMm) without a break, at the middle or
-  /// else next to it within the segment; 0 if they are not.
+  /// How long the lips are shut (a gap of at most kShutGapMm) without a break about the middle,
+  /// also beyond the segment; 0 if they are not shut there.
   Milliseconds shut{};
-  /// From the middle until the lips are half as far open as they come to be within kOpeningTime;
-  /// absent if they are in the middle, or never open.
+  /// From the parting of the lips (from the middle, if they are open then) until they are half as
+  /// far open as they come to be within kOpeningTime; absent if they are at once, or never open.
   std::optional<Milliseconds> half_open;
+  double fastest_opening_mm_per_s = 0;  ///< of the inner height in that time
 };
 
 inline constexpr double kShutGapMm = 0.05;
@@ -43,8 +44,12 @@ struct Continuum {
 /// "token0" ... with as many digits as the last one needs.
 [[nodiscard]] std::string token_name(const Continuum& continuum, std::size_t token);
 
+/// Removes what an earlier continuum left in the folder and this one may not write: token*.csv,
+/// token*.mp4, words.json.
+void remove_earlier_tokens(const std::filesystem::path& folder);
+
 /// tokens.csv: a row per token with its name, its place, the lips' measures in the middle, how long
-/// they are shut, how soon half open, and every control in the middle.
+/// they are shut, how soon half open, how fast, and every control in the middle.
 void write_token_table(const Continuum& continuum, const std::filesystem::path& folder);
 
 /// What a user of the tokens should know: steps by which the lips open less than by the one before,

@@ -161,7 +161,9 @@ void add_rehearse(CLI::App& app, Verb& chosen) {
       "observers, and stores everything, marked as simulated: to try a protocol and its analysis\n"
       "before anybody is invited. The observers know which phones are confused in a voice at an "
       "S/N\n"
-      "and on a face; a rate, a gate, a reversal or a natural face does not change their "
+      "and on a face; a rate, a gate, a reversal, a natural face, another word or an ambiguous "
+      "sound "
+      "that is seen, and an account of coarticulation do not change their "
       "answers.\n\n"
       "Example:\n"
       "  bimodal rehearse words414 --participants 20 --seed 7 --data trial.sqlite");

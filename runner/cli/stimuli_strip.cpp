@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/protocol_file.hpp"
@@ -30,14 +31,22 @@ struct StripOptions {
   int height = 360;
 };
 
+/// By its whole name ("ba seen as da"), else the only one that is heard, or seen, so.
 const Word& find_word(const protocols::ReadProtocol& read, const std::string& spelling) {
+  std::vector<const Word*> found;
   for (const auto* words : {&read.words.words, &read.practice}) {
-    const auto found = std::ranges::find_if(*words, [&](const Word& word) {
-      return word.spelling == spelling || shown_name(word) == spelling;
-    });
-    if (found != words->end()) return *found;
+    for (const auto& word : *words) {
+      if (shown_name(word) == spelling) return word;
+      const bool is_seen = word.seen && word.seen->spelling == spelling;
+      if (word.spelling == spelling || is_seen) found.push_back(&word);
+    }
   }
-  throw Error{fmt::format("the protocol has no word \"{}\"", spelling)};
+  if (found.size() == 1) return *found.front();
+  if (found.empty()) throw Error{fmt::format("the protocol has no word \"{}\"", spelling)};
+  std::vector<std::string> names;
+  for (const auto* word : found) names.push_back(shown_name(*word));
+  throw Error{fmt::format(
+      "several words are called \"{}\"; say which: {}", spelling, fmt::join(names, ", "))};
 }
 
 /// The conditions that are asked for, else all in which somebody is seen.

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -32,10 +33,17 @@ struct TracksOptions {
 
 /// "csv", "json", "svg", "pdf" or "png": as a flag says, or the name of the output ends.
 std::string form_of(const TracksOptions& options) {
-  if (options.json) return "json";
-  if (options.svg) return "svg";
-  if (options.csv || options.output.empty()) return "csv";
   const auto ending = std::filesystem::path{options.output}.extension().string();
+  for (const auto& [is_asked, form] :
+       {std::pair{options.json, ".json"}, {options.svg, ".svg"}, {options.csv, ".csv"}}) {
+    if (!is_asked) continue;
+    if (!options.output.empty() && ending != form) {
+      throw Error{fmt::format(
+          "'{}' does not end with {}; end it so, or leave the option out", options.output, form)};
+    }
+    return form + 1;
+  }
+  if (options.output.empty()) return "csv";
   for (const auto* const known : {".csv", ".json", ".svg", ".pdf", ".png"}) {
     if (ending == known) return ending.substr(1);
   }
@@ -43,6 +51,19 @@ std::string form_of(const TracksOptions& options) {
       "'{}': tracks are written as .csv, .json, .svg, .pdf or .png; end the name so, or say which "
       "by --csv, --json or --svg",
       options.output)};
+}
+
+/// What the plot itself does not show.
+std::string caption_of(const TracksOptions& options) {
+  auto caption = fmt::format("Account: {}. Inventory: {}. Rate: {:g}.",
+                             options.account,
+                             options.spoken.segments,
+                             options.spoken.rate);
+  if (options.dominance && options.account != "dominance") {
+    caption +=
+        " The dominances are those of the account \"dominance\"; this one does not weigh by them.";
+  }
+  return caption;
 }
 
 ExitCode tracks(const TracksOptions& options) {
@@ -54,11 +75,16 @@ ExitCode tracks(const TracksOptions& options) {
                                       .account = account_from_name(options.account).value(),
                                       .controls = options.controls,
                                       .with_dominance = options.dominance});
+  const auto figure = [&] {
+    auto drawn = synth::figure_of(sampled, options.spoken.text);
+    drawn.caption = caption_of(options);
+    return drawn;
+  };
   if (form == "pdf" || form == "png") {
-    write_figure(synth::figure_of(sampled, options.spoken.text), options.output);
+    write_figure(figure(), options.output);
   } else {
     const auto text = form == "json"  ? synth::json_of(sampled)
-                      : form == "svg" ? svg_of(synth::figure_of(sampled, options.spoken.text))
+                      : form == "svg" ? svg_of(figure())
                                       : synth::csv_of(sampled);
     if (options.output.empty()) {
       fmt::print("{}", text);

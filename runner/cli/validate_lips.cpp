@@ -16,6 +16,7 @@
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/timeline/inventory_file.hpp"
 
 namespace bimodal::runner {
 
@@ -27,7 +28,7 @@ struct ValidateLipsOptions {
   std::string folder;
   std::vector<std::string> clips;  ///< empty: all
   std::string tracks;              ///< folder of predictions; empty: the project's face
-  std::string segments;            ///< empty: the shipped inventory
+  std::string segments = "english";
   std::string time_column;
   std::string output;
 };
@@ -85,10 +86,8 @@ ExitCode validate_lips(const ValidateLipsOptions& options) {
   const auto recordings = read_recordings(options);
   std::optional<Face> face;
   if (options.tracks.empty()) {
-    face.emplace(Face{
-        synth::SegmentTable{options.segments.empty() ? asset("synth/assets/segments/english.json")
-                                                     : fs::path{options.segments}},
-        synth::Head{asset("synth/assets/head")}});
+    face.emplace(Face{synth::SegmentTable{inventory_file(options.segments)},
+                      synth::Head{asset("synth/assets/head")}});
   }
   const bool to_terminal = isatty(STDERR_FILENO) == 1;
   std::vector<ClipComparison> compared;

@@ -69,7 +69,8 @@ struct Panel {
   std::vector<std::string> x_names;  ///< instead of numbers, at 0, 1, 2 ...
 };
 
-/// Panels in rows from left to right and top to bottom, each of the same size.
+/// Panels in rows from left to right and top to bottom, each of the same size. One without anything
+/// in it leaves its place empty.
 struct Figure {
   std::string title;
   std::string caption;  ///< below the panels, wrapped to the width

@@ -119,14 +119,16 @@ void draw(const Figure& figure, FigureSize size, Canvas& canvas) {
   }
   const auto columns = std::max<std::size_t>(1, figure.columns);
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const auto& panel = figure.panels[i];
+    const bool is_gap = panel.title.empty() && panel.curves.empty() && panel.marks.empty() &&
+                        panel.stretches.empty() && panel.lines.empty();
+    if (is_gap) continue;
     const auto row = i / columns;
     const auto column = i % columns;
     const PlotPoint corner{kMargin + static_cast<double>(column) * figure.panel_width,
                            top + static_cast<double>(row) * figure.panel_height};
-    paint_panel(figure.panels[i],
-                corner,
-                {.width = figure.panel_width, .height = figure.panel_height},
-                canvas);
+    paint_panel(
+        panel, corner, {.width = figure.panel_width, .height = figure.panel_height}, canvas);
   }
   const auto lines = caption_lines(figure);
   double base =

@@ -27,14 +27,15 @@ std::filesystem::path inventory_file(const std::string& chosen,
     return file;
   }
   const auto names = asset_names(kShipped, ".json");
-  if (std::ranges::find(names, chosen) == names.end()) {
+  const auto name = chosen.ends_with(".json") ? chosen.substr(0, chosen.size() - 5) : chosen;
+  if (std::ranges::find(names, name) == names.end()) {
     throw Error{fmt::format(
         "there is neither a file '{}' nor an inventory of that name; give a file, or one that "
         "ships: {}",
         file.string(),
         fmt::join(names, ", "))};
   }
-  return asset(fmt::format("{}/{}.json", kShipped, chosen));
+  return asset(fmt::format("{}/{}.json", kShipped, name));
 }
 
 }  // namespace bimodal

@@ -67,6 +67,11 @@ std::variant<Segment, SegmentFault> parse_segment(std::string_view symbol) {
   const auto steps = whole(symbol.substr(slash + 1));
   const bool is_on_the_way =
       step && steps && *steps >= 1 && *steps <= kMostSteps && *step >= 0 && *step <= *steps;
+  if (step && steps && *steps >= 1 && *step > *steps) {
+    return SegmentFault{
+        .finding = fmt::format("\"{}\" goes beyond its end: {} of {} steps", symbol, *step, *steps),
+        .remedy = fmt::format("give a step from 0 to {}", *steps)};
+  }
   if (!is_on_the_way) return no_step(symbol);
   return Segment{*from, *to, *step, *steps};
 }

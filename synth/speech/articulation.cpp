@@ -13,10 +13,12 @@ std::shared_ptr<const Movement> movement_of(const std::vector<TimedSegment>& seg
                                             Account account) {
   ControlClaims claims;
   claims.reserve(kSpeechControlCount);
+  std::vector<std::size_t> contacts;
   for (const auto& description : controls().first<kSpeechControlCount>()) {
+    if (makes_contact(description.control)) contacts.push_back(claims.size());
     claims.push_back(claims_on(description.control, segments, table));
   }
-  return movement(account, claimants_of(segments), claims);
+  return movement(account, claimants_of(segments), claims, contacts);
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ std::vector<Claimant> claimants_of(std::span<const TimedSegment> segments) {
     claimants.push_back({.start = timed.start,
                          .end = timed.end(),
                          .rank = deformability(phone),
-                         .is_nucleus = is_vowel(phone) || phone == Phone::Rest});
+                         .is_nucleus = is_vowel(phone) || phone == Phone::Rest,
+                         .is_rest = phone == Phone::Rest});
   }
   return claimants;
 }

@@ -13,6 +13,7 @@ struct Claimant {
   Milliseconds end{};
   int rank = 10;            ///< deformability, 1 (the least) to 10
   bool is_nucleus = false;  ///< vowel or rest: does not give way, others give way to it
+  bool is_rest = false;     ///< makes no gesture
 };
 
 /// The deformability of a phone's lip shape, 1 (the least) to 10: figure 4 of Kapoor, A., Goyal, A.

@@ -57,7 +57,7 @@ struct Yielding {
 /// segment's acoustic onset, stays until its end and falls over kGestureExtent / theta_after; where
 /// gestures overlap, a control is their mean, weighted by alpha. So a gesture begins a fixed time
 /// before its sound, whatever stands there. What no gesture claims is as the segments without claim
-/// have it, on straight lines between their middles.
+/// have it, and rest, which makes no gesture, on straight lines between their middles.
 [[nodiscard]] std::unique_ptr<const Movement> time_locked(std::span<const Claimant> claimants,
                                                           const ControlClaims& claims);
 

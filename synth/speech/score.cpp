@@ -101,7 +101,16 @@ Score at_rate(Score score, double rate) {
 }
 
 std::unique_ptr<const Movement> ScoreClaims::movement(Account account) const {
-  return synth::movement(account, claimants, claims);
+  return synth::movement(account, claimants, claims, contact_rows(controls));
+}
+
+std::vector<std::size_t> contact_rows(std::span<const std::string> controls) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    const auto control = control_from_name(controls[i]);
+    if (control && makes_contact(*control)) rows.push_back(i);
+  }
+  return rows;
 }
 
 namespace {

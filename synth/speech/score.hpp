@@ -77,6 +77,9 @@ struct ScoreClaims {
   [[nodiscard]] std::unique_ptr<const Movement> movement(Account account) const;
 };
 
+/// Which of these controls are contacts of the face (see makes_contact).
+[[nodiscard]] std::vector<std::size_t> contact_rows(std::span<const std::string> controls);
+
 /// Precondition: the score has segments.
 [[nodiscard]] ScoreClaims claims_of(const Score& score, const SegmentTable& table);
 

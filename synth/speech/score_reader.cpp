@@ -2,8 +2,10 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
@@ -178,11 +180,14 @@ class ScoreReader {
   void warn_of_unused_definitions() {
     std::set<std::string, std::less<>> used;
     for (const auto& segment : score_.segments) used.insert(canonical(segment.symbol));
+    std::vector<std::string> idle;
     for (const auto& [name, ignored] : definitions_) {
-      if (used.contains(name)) continue;
-      findings_.warning(
-          "/definitions", fmt::format("no segment is \"{}\"", name), "is it mistyped?");
+      if (!used.contains(name)) idle.push_back(name);
     }
+    if (idle.empty()) return;
+    findings_.warning("/definitions",
+                      fmt::format("no segment is {}", fmt::join(idle, ", ")),
+                      "if none of them is mistyped, never mind");
   }
 
   /// Controls may have any name; but one that is nearly that of the face is likely to be meant so.

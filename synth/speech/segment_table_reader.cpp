@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "stimuli/base/asset.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/json_lines.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/timeline/inventory_file.hpp"
 #include "synth/speech/segment_groups.hpp"
 #include "synth/speech/segment_table.hpp"
 
@@ -72,6 +72,15 @@ class SegmentTableReader {
   }
 
   void root_of(const json& root) {
+    if (root.is_object() && (root.contains("definitions") || root.contains("segments"))) {
+      findings_.error(
+          "",
+          "this is a score, or definitions for scores (`fit-segments` writes such), and "
+          "no inventory of the face's segments",
+          "measures are not controls: see synth/fitting/README.md, \"From measures to "
+          "the face\"");
+      return;
+    }
     if (!root.is_object()) {
       findings_.error("", "is not an object", "give {\"sources\": ..., \"groups\": ...}");
       return;
@@ -120,9 +129,8 @@ class SegmentTableReader {
       return;
     }
     const auto& written = name.get_ref<const std::string&>();
-    auto other = std::filesystem::path{file_}.parent_path() / written;
     try {
-      if (!std::filesystem::exists(other)) other = asset("synth/assets/segments/" + written);
+      const auto other = inventory_file(written, std::filesystem::path{file_}.parent_path());
       auto table =
           SegmentTableReader{other.string(), diagnostics_, depth_ + 1}.read(read_file(other));
       if (table) {

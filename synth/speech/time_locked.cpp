@@ -66,7 +66,7 @@ class TimeLocked final : public Movement {
       const KnotPath::Knot knot{.time_ms = claimant.start.count() / 2 + claimant.end.count() / 2,
                                 .value = claim.target};
       all.knots.push_back(knot);
-      if (claim.dominance.alpha <= threshold) {
+      if (claimant.is_rest || claim.dominance.alpha <= threshold) {
         track.others.knots.push_back(knot);
         continue;
       }

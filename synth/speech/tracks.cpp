@@ -88,7 +88,8 @@ Tracks sample(const ScoreClaims& claims, const TrackOptions& options) {
   const auto count = samples_before(claims.end, options.rate);
   tracks.time_ms.reserve(count);
   tracks.values.assign(tracks.controls.size(), std::vector<double>(count));
-  const auto moving = movement(options.account, tracks.segments, tracks.claims);
+  const auto moving =
+      movement(options.account, tracks.segments, tracks.claims, contact_rows(tracks.controls));
   std::vector<double> values(tracks.controls.size());
   for (std::size_t i = 0; i < count; ++i) {
     tracks.time_ms.push_back(static_cast<double>(i) * 1e3 / options.rate.count());

@@ -183,7 +183,7 @@ TEST(ReportTables, HaveARowForEveryTrialAndSayWhatColumnsMean) {
                           "manifest.json"));
   EXPECT_EQ(std::ranges::count(files[0].content, '\n'), 11);
   EXPECT_THAT(files[0].content,
-              HasSubstr("\"stew\",,\"S T UW\",\"stoo, \"\"I\"\" think\",\"stooithink\",\"not in "
+              HasSubstr("\"stew\",,,\"S T UW\",\"stoo, \"\"I\"\" think\",\"stooithink\",\"not in "
                         "dictionary\",0,3,,\"other\",\"other\",,500,1000,0,0,0\n"));
   EXPECT_THAT(files[3].content,
               HasSubstr("\"auditory\",\"consonant-initial\",\"B\",\"M\",1,2,0.5\n"));

@@ -27,6 +27,7 @@ class InventoryFile : public testing::Test {
 
 TEST_F(InventoryFile, IsOneThatShipsByItsName) {
   EXPECT_EQ(inventory_file("english").filename(), "english.json");
+  EXPECT_EQ(inventory_file("english.json", files_.folder()), inventory_file("english"));
 }
 
 TEST_F(InventoryFile, IsAFileRelativeToTheFolder) {

@@ -39,7 +39,6 @@ TEST(Segment, SaysWhatIsNoSegment) {
   EXPECT_EQ(fault("~w:3/8"), "\"\" is not a phone");
   for (const auto* const text : {"b~w",
                                  "b~w:3",
-                                 "b~w:9/8",
                                  "b~w:-1/8",
                                  "b~w:1/0",
                                  "b~w:1/1001",
@@ -62,6 +61,10 @@ TEST(FaceSegments, TakeADiphthongInHalvesOnBothSides) {
   EXPECT_EQ(face_segments(Segment{IY, AY, 4, 4}), (std::vector<Segment>{AA, IH}));
   EXPECT_EQ(face_segments(Segment{IY, AY, 1, 4}),
             (std::vector<Segment>{{IY, AA, 1, 4}, {IY, IH, 1, 4}}));
+}
+
+TEST(Segment, SaysWhichStepIsNone) {
+  EXPECT_EQ(fault("IY~UW:7/6"), "\"IY~UW:7/6\" goes beyond its end: 7 of 6 steps");
 }
 
 TEST(Segment, IsHeardAsTheNearerPhoneHalfwayAsTheFirst) {

@@ -120,7 +120,7 @@ TEST(WordList, SaysWhatIsWrongWithAmbiguousAndSeenWords) {
     {"word": "da", "phones": ["D", "AA"], "seen": {"word": "ga", "phones": ["Q"], "as": 1}}]})")
                             .messages;
   EXPECT_THAT(messages,
-              ElementsAre(HasSubstr("/words/0/phones/0: \"B~W:9/8\" names no step"),
+              ElementsAre(HasSubstr("/words/0/phones/0: \"B~W:9/8\" goes beyond its end"),
                           HasSubstr("/words/1/phones/0: \"B~rest:1/8\" is not a phone"),
                           HasSubstr("/words/2/seen/word: \"ba\" is the name of what is heard too"),
                           HasSubstr("/words/3/seen/as"),

@@ -13,6 +13,7 @@
 #include "synth/speech/articulation.hpp"
 #include "synth/speech/claims.hpp"
 #include "synth/speech/rival_movements.hpp"
+#include "synth/speech/score.hpp"
 
 namespace bimodal::synth {
 namespace {
@@ -117,6 +118,53 @@ TEST(Accounts, OfTheHybridAccelerateBetweenTheirPhases) {
   };
   EXPECT_GT(speed(fast - 60ms), 0);
   EXPECT_GT(speed(fast + 90ms), 4 * speed(fast - 60ms));
+}
+
+TEST(Accounts, ShutTheLipsInBilabialsWhateverSurroundsThem) {
+  for (const auto& row : accounts()) {
+    if (row.account == Account::Interpolation) continue;
+    for (const auto& said : std::vector<std::vector<Phone>>{{AA, B, AA}, {UW, M, UW}, {S, P, IY}}) {
+      const auto utterance = spoken(said, 80ms);
+      const Articulation articulation{utterance, english(), row.account};
+      const auto& consonant = utterance.phones[2];
+      const auto middle = Milliseconds{consonant.start + consonant.duration / 2};
+      EXPECT_GE(value(articulation.at(middle), Control::LipClosure), 1) << row.name;
+      const Articulation dominance{utterance, english()};
+      EXPECT_EQ(value(articulation.at(middle), Control::LipClosure),
+                value(dominance.at(middle), Control::LipClosure))
+          << row.name;
+    }
+  }
+}
+
+TEST(Accounts, OfAScoreShutTheLipsAsThoseOfAnUtterance) {
+  const auto utterance = spoken({AA, B, AA}, 80ms);
+  const auto claims = claims_of(score_of(segments_of(utterance)), english());
+  const auto rows = contact_rows(claims.controls);
+  ASSERT_EQ(rows.size(), 2U);
+  for (const auto& row : accounts()) {
+    const auto movement = claims.movement(row.account);
+    const Articulation articulation{utterance, english(), row.account};
+    std::vector<double> values(claims.controls.size());
+    movement->at(Milliseconds{550}, values);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto control = control_from_name(claims.controls[i]).value();
+      EXPECT_EQ(values[i], value(articulation.at(Milliseconds{550}), control)) << row.name;
+    }
+  }
+}
+
+TEST(Accounts, OfTimeLockedGesturesKeepARoundedVowelThroughOneConsonant) {
+  const auto utterance = spoken({UW, T, UW}, 60ms);
+  const Articulation articulation{utterance, english(), Account::TimeLocked};
+  const auto protrusion = [&](std::size_t phone) {
+    const auto& timed = utterance.phones[phone];
+    return value(articulation.at(Milliseconds{timed.start + timed.duration / 2}),
+                 Control::LipProtrusion);
+  };
+  EXPECT_NEAR(protrusion(2), protrusion(1), 1e-9);
+  EXPECT_NEAR(protrusion(3), protrusion(1), 1e-9);
+  EXPECT_EQ(value(articulation.at(Milliseconds{0}), Control::LipProtrusion), 0);
 }
 
 TEST(Accounts, WithoutCoarticulationRunStraightFromTargetToTarget) {

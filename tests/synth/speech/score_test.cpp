@@ -130,7 +130,7 @@ TEST(Score, WarnsOfDefinitionsThatNoSegmentUses) {
                                  diagnostics);
   EXPECT_TRUE(score);
   ASSERT_EQ(diagnostics.size(), 1);
-  EXPECT_THAT(describe(diagnostics[0]), HasSubstr("no segment is \"Q\""));
+  EXPECT_THAT(describe(diagnostics[0]), HasSubstr("no segment is Q;"));
 }
 
 std::vector<std::string> warnings(const std::string& text) {
