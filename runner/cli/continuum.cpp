@@ -91,7 +91,7 @@ void print_tokens(const Continuum& continuum) {
   std::vector<std::vector<std::string>> rows{
       {"token", "sound", "opening mm", "width mm", "shut ms", "half open ms", "fastest mm/s"}};
   for (std::size_t i = 0; i < continuum.tokens.size(); ++i) {
-    const auto& [pose, lips, shut, half_open, fastest] = continuum.middles[i];
+    const auto& [pose, released, lips, shut, half_open, fastest] = continuum.middles[i];
     rows.push_back({token_name(continuum, i),
                     continuum.tokens[i].name,
                     fmt::format("{:.2f}", lips.inner_height_mm),
@@ -155,7 +155,8 @@ void add_continuum(CLI::App& app, Verb& chosen) {
       "for contacts: synth/speech/README.md); or along controls or dynamics of one sound. Writes "
       "for each token the movement\n"
       "of every control (CSV) and a video, and for all a table, plots over the steps and over\n"
-      "time, and a strip of pictures of the middles; and, between two sounds, words.json, a word "
+      "time, and a strip of pictures of middles and releases; and, between two sounds, words.json, "
+      "a word "
       "list\n"
       "that protocols take. What an earlier continuum left in the folder is removed. In protocols, "
       "scores and elsewhere a token is called as here, e.g. B~W:3/8.\n"

@@ -1,10 +1,12 @@
 #include "runner/cli/continuum_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <span>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -157,6 +159,7 @@ TokenMiddle middle_face(const synth::ContinuumToken& token,
   const auto time = middle_of(token);
   TokenMiddle middle;
   middle.pose = articulation.at(time);
+  middle.released = articulation.at(token.score.segments[token.segment].end() + kReleased);
   synth::PosedHead posed;
   head.pose(middle.pose, posed);
   middle.lips = posed.lips;
@@ -370,31 +373,39 @@ void write_token_strip(const Continuum& continuum,
   constexpr std::size_t kWidest = 16'000;
   constexpr Colour kGround{32, 34, 38};
   constexpr Colour kInk{235, 235, 235};
-  constexpr std::int64_t kScale = 2;
-  constexpr std::size_t kCaption = 24;
   const auto count = continuum.tokens.size();
   auto options = view;
   options.height = std::clamp(static_cast<int>(kWidest / count * 9 / 8), 32, view.height);
   const auto whole = face_view(options);
   auto closer = options;
   closer.view = "mouth";
-  auto strip = blank_image(whole.width * count, 2 * whole.height + kCaption, kGround);
+  const auto scale = std::max<std::int64_t>(1, static_cast<std::int64_t>(whole.width / 150));
+  const auto line = 12 * scale;  // the letters are 7 pixels high
+  const auto rows =
+      std::array{std::tuple{whole, &TokenMiddle::pose, std::string{"in the middle"}},
+                 std::tuple{face_view(closer), &TokenMiddle::pose, std::string{"in the middle"}},
+                 std::tuple{face_view(closer),
+                            &TokenMiddle::released,
+                            fmt::format("{:g} ms after its end", kReleased.count())}};
+  auto strip =
+      blank_image(whole.width * count,
+                  rows.size() * whole.height + static_cast<std::size_t>(line) * (rows.size() + 1),
+                  kGround);
   Image picture;
-  std::int64_t top = 0;
-  for (const auto& seen : {whole, face_view(closer)}) {
+  std::int64_t top = line;
+  const auto left_of = [&](std::size_t i) { return static_cast<std::int64_t>(i * whole.width); };
+  for (std::size_t i = 0; i < count; ++i) {
+    draw_text(strip, {left_of(i) + 6, 3}, continuum.tokens[i].name, kInk, scale);
+  }
+  for (const auto& [seen, pose, caption] : rows) {
     synth::HeadRenderer renderer{head, seen};
     for (std::size_t i = 0; i < count; ++i) {
-      renderer.draw(continuum.middles[i].pose, picture);
-      paste(strip, {static_cast<std::int64_t>(i * whole.width), top}, picture);
+      renderer.draw(continuum.middles[i].*pose, picture);
+      paste(strip, {left_of(i), top}, picture);
     }
     top += static_cast<std::int64_t>(whole.height);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    draw_text(strip,
-              {static_cast<std::int64_t>(i * whole.width) + 6, top + 5},
-              continuum.tokens[i].name,
-              kInk,
-              kScale);
+    draw_text(strip, {6, top + 3}, caption, kInk, scale);
+    top += line;
   }
   write_png(strip, folder / "strip.png");
 }

@@ -15,6 +15,7 @@ namespace bimodal::runner {
 /// The face of one token in the middle of the varied segment, and how its lips move about it.
 struct TokenMiddle {
   synth::Pose pose{};
+  synth::Pose released{};  ///< kReleased after the end of the segment
   synth::LipMeasures lips;
   /// How long the lips are shut (a gap of at most kShutGapMm) without a break about the middle,
   /// also beyond the segment; 0 if they are not shut there.
@@ -27,6 +28,7 @@ struct TokenMiddle {
 
 inline constexpr double kShutGapMm = 0.05;
 inline constexpr Milliseconds kOpeningTime{300};
+inline constexpr Milliseconds kReleased{30};
 
 /// A continuum worked out: what its files are written from.
 struct Continuum {
@@ -72,7 +74,8 @@ void write_token_plots(const Continuum& continuum,
                        const std::string& format,
                        const std::filesystem::path& folder);
 
-/// strip.png: the middles side by side, the whole face above and the mouth below.
+/// strip.png: the tokens side by side: whole face and mouth in the middle, and the mouth at
+/// kReleased.
 void write_token_strip(const Continuum& continuum,
                        const synth::Head& head,
                        const ViewOptions& view,

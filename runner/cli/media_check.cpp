@@ -1,5 +1,6 @@
 #include "runner/cli/media_check.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -13,6 +14,7 @@
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/json_lines.hpp"
 #include "stimuli/video/media_file.hpp"
+#include "synth/speech/contact_check.hpp"
 #include "synth/speech/segment_table.hpp"
 
 namespace bimodal::runner {
@@ -53,10 +55,34 @@ class MediaCheck {
   void check_inventory(const std::string& file) {
     if (!told_.insert("inventory " + file).second) return;
     try {
-      static_cast<void>(synth::SegmentTable::parse(read_file(file), file, diagnostics_));
+      const auto table = synth::SegmentTable::parse(read_file(file), file, diagnostics_);
+      if (table) check_contacts(*table, file);
     } catch (const Error& error) {
       find(error.what(), "name another inventory of segments");
     }
+  }
+
+  /// Lips that do not shut in some B are no mistake of the file, but nobody should miss it.
+  void check_contacts(const synth::SegmentTable& table, const std::string& file) {
+    constexpr std::array kRates{1.0};
+    const auto report = synth::check_contacts(table, kRates);
+    if (report.missed.empty()) return;
+    const auto& first = report.missed.front();
+    diagnostics_.push_back(
+        {.severity = Severity::Warning,
+         .file = file_,
+         .line = lines_.line_of(pointer_),
+         .pointer = pointer_,
+         .finding =
+             fmt::format("with the inventory '{}' the face does not shut its lips for P B M, or "
+                         "touch its teeth for F V, long enough to be seen in {} of {} "
+                         "syllables, e.g. {} in {}",
+                         file,
+                         report.missed.size(),
+                         report.contexts,
+                         symbol(first.phone),
+                         first.context),
+         .remedy = "see `bimodal segments check`"});
   }
 
   enum class Need { Nothing, Sound, Picture };

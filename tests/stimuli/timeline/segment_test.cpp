@@ -37,14 +37,8 @@ TEST(Segment, SaysWhatIsNoSegment) {
   EXPECT_EQ(fault("Q"), "\"Q\" is not a phone");
   EXPECT_EQ(fault("b~q:3/8"), "\"q\" is not a phone");
   EXPECT_EQ(fault("~w:3/8"), "\"\" is not a phone");
-  for (const auto* const text : {"b~w",
-                                 "b~w:3",
-                                 "b~w:-1/8",
-                                 "b~w:1/0",
-                                 "b~w:1/1001",
-                                 "b~w:1.5/8",
-                                 "b~w:/",
-                                 "b~w/8:3"}) {
+  for (const auto* const text :
+       {"b~w", "b~w:3", "b~w:-1/8", "b~w:1/0", "b~w:1/1001", "b~w:1.5/8", "b~w:/", "b~w/8:3"}) {
     EXPECT_NE(fault(text).find("names no step"), std::string::npos) << text;
   }
 }
