@@ -208,10 +208,25 @@ Panel over_time(const Continuum& continuum, synth::Control control) {
     }
     panel.curves.push_back(std::move(curve));
   }
-  const auto& segment = continuum.tokens.front().score.segments[continuum.tokens.front().segment];
-  panel.stretches.push_back(
-      {.from = segment.start.count(), .to = segment.end().count(), .label = "_"});
+  const auto& token = continuum.tokens.front();
+  for (std::size_t i = 0; i < token.score.segments.size(); ++i) {
+    const auto& segment = token.score.segments[i];
+    panel.stretches.push_back({.from = segment.start.count(),
+                               .to = segment.end().count(),
+                               .label = i == token.segment ? "_" : segment.symbol});
+  }
   return panel;
+}
+
+/// Whether the first and the last token move a control differently by a hundredth of its range.
+bool is_told_apart(const Panel& panel, synth::Control control) {
+  const auto& range = synth::describe(control);
+  const auto& first = panel.curves.front().points;
+  const auto& last = panel.curves.back().points;
+  for (std::size_t i = 0; i < std::min(first.size(), last.size()); ++i) {
+    if (std::abs(first[i].y - last[i].y) > 0.01 * (range.highest - range.lowest)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -344,17 +359,23 @@ void write_token_plots(const Continuum& continuum,
       over_tokens(continuum, "opening of the lips (mm)", [](const TokenMiddle& middle) {
         return middle.lips.inner_height_mm;
       }));
-  Figure movements{.title = title + ", over time",
-                   .caption = "From the first token (blue) to the last (red).",
-                   .panels = {}};
+  Figure movements{
+      .title = title + ", over time",
+      .caption =
+          "From the first token (blue) to the last (red). Controls that go alike are left out.",
+      .panels = {}};
   for (const auto control : differing(continuum)) {
     middles.panels.push_back(
         over_tokens(continuum, synth::name_with_unit(control), [=](const TokenMiddle& middle) {
           return shown_value(middle, control);
         }));
   }
-  for (const auto control : asked_differently(continuum)) {
-    movements.panels.push_back(over_time(continuum, control));
+  const auto asked = asked_differently(continuum);
+  constexpr std::size_t kFew = 4;  // what is varied is always drawn
+  for (const auto control : asked) {
+    auto panel = over_time(continuum, control);
+    if (asked.size() > kFew && !is_told_apart(panel, control)) continue;
+    movements.panels.push_back(std::move(panel));
   }
   middles.columns = 3;
   middles.panel_width = 270;
