@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/continuum_files.hpp"
+#include "runner/cli/continuum_plots.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/spoken_score.hpp"
 #include "runner/cli/text_table.hpp"
@@ -87,12 +88,12 @@ void tell_limits(const synth::ContinuumDesign& design) {
   }
 }
 
-void print_tokens(const Continuum& continuum) {
+void print_tokens(const synth::Continuum& continuum) {
   std::vector<std::vector<std::string>> rows{
       {"token", "sound", "opening mm", "width mm", "shut ms", "half open ms", "fastest mm/s"}};
   for (std::size_t i = 0; i < continuum.tokens.size(); ++i) {
     const auto& [pose, released, lips, shut, half_open, fastest] = continuum.middles[i];
-    rows.push_back({token_name(continuum, i),
+    rows.push_back({synth::token_name(continuum, i),
                     continuum.tokens[i].name,
                     fmt::format("{:.2f}", lips.inner_height_mm),
                     fmt::format("{:.1f}", lips.outer_width_mm),
@@ -107,7 +108,7 @@ ExitCode continuum(const ContinuumOptions& options) {
   const auto design = design_of(options);
   const synth::SegmentTable table{inventory_file(options.segments)};
   const synth::Head head{asset("synth/assets/head")};
-  const auto made = worked_out(
+  const auto made = synth::worked_out(
       synth::tokens_of(design, table), table, account_from_name(options.account).value(), head);
   const std::filesystem::path folder{options.output};
   std::error_code fault;
@@ -135,7 +136,7 @@ ExitCode continuum(const ContinuumOptions& options) {
   }
   print_tokens(made);
   tell_limits(design);
-  for (const auto& caution : cautions(made)) fmt::print(stderr, "note: {}\n", caution);
+  for (const auto& caution : synth::cautions(made)) fmt::print(stderr, "note: {}\n", caution);
   fmt::print("\n{}: {} with tracks{}; tokens.csv,{} controls.{}, movements.{}, strip.png\n",
              options.output,
              counted(made.tokens.size(), "token"),

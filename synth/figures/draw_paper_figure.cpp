@@ -40,6 +40,42 @@ Panel frame(const PaperPanel& panel, const ScoreClaims& first, double end_ms) {
   return made;
 }
 
+/// What one trace adds to the panel of dominances and to that of the control. What `shared` says is
+/// the same in all traces is drawn once, with the first.
+void add_trace(const PaperPanel& panel,
+               std::size_t index,
+               const std::vector<bool>& shared,
+               Panel& dominance,
+               Panel& control) {
+  const auto& trace = panel.traces[index];
+  const auto claims = claims_of(trace.score);
+  const auto movement = claims.movement(trace.account);
+  const double end = trace.score.end().count();
+  Curve moved{.colour = figure_colour(index), .label = trace.label};
+  for (double time = 0; time <= end; time += kStepMs) {
+    double value = 0;
+    movement->at(Milliseconds{time}, std::span{&value, 1});
+    moved.points.push_back({time, value});
+  }
+  Marks targets{.colour = figure_colour(index)};
+  Marks shared_targets{.colour = kShared};
+  for (std::size_t k = 0; k < claims.claims.front().size(); ++k) {
+    const auto& claim = claims.claims.front()[k];
+    const bool is_shared = k < shared.size() && shared[k];
+    if (is_shared && index > 0) continue;
+    auto& marks = is_shared ? shared_targets : targets;
+    marks.points.push_back({claim.peak.count(), claim.target});
+    Curve dominated{.colour = is_shared ? kShared : figure_colour(index)};
+    for (double time = 0; time <= end; time += kStepMs) {
+      dominated.points.push_back({time, claim.dominance.at(Milliseconds{time} - claim.peak)});
+    }
+    dominance.curves.push_back(std::move(dominated));
+  }
+  control.curves.push_back(std::move(moved));
+  control.marks.push_back(std::move(targets));
+  control.marks.push_back(std::move(shared_targets));
+}
+
 }  // namespace
 
 double value_at(const Trace& trace, Milliseconds time) {
@@ -68,34 +104,9 @@ Figure drawn(const PaperFigure& figure) {
     control.y_label = panel.y_label;
     control.x_label = "time (ms)";
     const auto shared = shared_claims(panel);
-    Marks shared_targets{.colour = kShared};
     for (std::size_t i = 0; i < panel.traces.size(); ++i) {
-      const auto& trace = panel.traces[i];
-      const auto claims = claims_of(trace.score);
-      const auto movement = claims.movement(trace.account);
-      Curve moved{.colour = figure_colour(i), .label = trace.label};
-      Marks targets{.colour = figure_colour(i)};
-      for (double time = 0; time <= trace.score.end().count(); time += kStepMs) {
-        double value = 0;
-        movement->at(Milliseconds{time}, std::span{&value, 1});
-        moved.points.push_back({time, value});
-      }
-      for (std::size_t k = 0; k < claims.claims.front().size(); ++k) {
-        const auto& claim = claims.claims.front()[k];
-        const bool is_shared = k < shared.size() && shared[k];
-        if (is_shared && i > 0) continue;
-        auto& marks = is_shared ? shared_targets : targets;
-        marks.points.push_back({claim.peak.count(), claim.target});
-        Curve dominated{.colour = is_shared ? kShared : figure_colour(i)};
-        for (double time = 0; time <= trace.score.end().count(); time += kStepMs) {
-          dominated.points.push_back({time, claim.dominance.at(Milliseconds{time} - claim.peak)});
-        }
-        dominance.curves.push_back(std::move(dominated));
-      }
-      control.curves.push_back(std::move(moved));
-      control.marks.push_back(std::move(targets));
+      add_trace(panel, i, shared, dominance, control);
     }
-    control.marks.push_back(std::move(shared_targets));
     control.y_range = {0, 1};
     above.push_back(std::move(dominance));
     below.push_back(std::move(control));
