@@ -209,7 +209,8 @@ std::size_t warn(const std::vector<FitReport>& reports) {
   return warnings;
 }
 
-ExitCode fit_segments(const FitSegmentsOptions& options) {
+ExitCode fit_segments(FitSegmentsOptions options) {
+  options.tracks = without_folders(options.tracks, options.labels);
   if (options.leave_one_out && options.tracks.size() < 3) {
     throw Error{
         fmt::format("--leave-one-out needs three clips or more, and here are {}; leave it "
@@ -253,11 +254,14 @@ void add_fit_segments(CLI::App& app, Verb& chosen) {
       "Exit code: 0 done, 1 warnings, 3 errors.\n\n"
       "Examples:\n"
       "  bimodal fit-segments anna.csv --labels anna.TextGrid\n"
-      "  bimodal fit-segments lips/*.csv --labels lips --columns inner_h,outer_w --leave-one-out\n"
+      "  bimodal fit-segments lips --labels lips --columns inner_h,outer_w --leave-one-out\n"
       "  bimodal fit-segments a1.csv a2.csv --labels a1.TextGrid a2.TextGrid --same-talker \\\n"
       "      --theta 0.022 -o anna.json");
   auto options = std::make_shared<FitSegmentsOptions>();
-  verb->add_option("TRACKS", options->tracks, "tables of measures, one a recording")->required();
+  verb->add_option("TRACKS",
+                   options->tracks,
+                   "tables of measures, one a recording; a folder: those in it that have labels")
+      ->required();
   verb->add_option("--labels",
                    options->labels,
                    "their label files, or the folder of these; a label file has the name of its "

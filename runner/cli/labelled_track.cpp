@@ -37,6 +37,32 @@ std::optional<fs::path> label_file_among(const std::vector<std::string>& files,
 
 }  // namespace
 
+std::vector<std::string> without_folders(const std::vector<std::string>& tracks,
+                                         const std::vector<std::string>& labels) {
+  std::vector<std::string> found;
+  for (const auto& track : tracks) {
+    if (!fs::is_directory(track)) {
+      found.push_back(track);
+      continue;
+    }
+    const bool has_folder = labels.size() == 1 && fs::is_directory(labels.front());
+    const auto folder = has_folder ? fs::path{labels.front()} : fs::path{track};
+    std::vector<std::string> tables;
+    for (const auto& entry : fs::directory_iterator{track}) {
+      const auto& file = entry.path();
+      const bool is_table = file.extension() == ".csv" && !file.string().ends_with(".labels.csv");
+      if (is_table && label_file_in(folder, file.stem().string())) tables.push_back(file.string());
+    }
+    if (tables.empty()) {
+      throw Error{fmt::format(
+          "{}: there is no table (.csv) with labels of its name in {}", track, folder.string())};
+    }
+    std::ranges::sort(tables);
+    found.insert(found.end(), tables.begin(), tables.end());
+  }
+  return found;
+}
+
 std::vector<fs::path> labels_of_tracks(const std::vector<std::string>& tracks,
                                        const std::vector<std::string>& labels) {
   std::string mistakes;

@@ -17,6 +17,12 @@ struct LabelledTrack {
   Utterance utterance;
 };
 
+/// The tracks, where a folder stands for the tables in it (.csv) that have a label file in the
+/// folder `labels`, or beside them where that is no folder; in the order of their names. Throws
+/// Error for a folder without any.
+[[nodiscard]] std::vector<std::string> without_folders(const std::vector<std::string>& tracks,
+                                                       const std::vector<std::string>& labels);
+
 /// The label file of each track: the one of the same name but for the ending. `labels` are files,
 /// or one folder of them; a single track may have a single label file of another name. Throws Error
 /// that lists the files that are not there, the tracks without labels, and those of one name.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "runner/cli/lip_comparison.hpp"
@@ -39,7 +40,6 @@ std::vector<std::string> clips_in(const ValidateLipsOptions& options) {
     throw Error{
         fmt::format("'{}' is no folder; give one with CLIP.csv and CLIP.TextGrid", options.folder)};
   }
-  if (!options.clips.empty()) return options.clips;
   std::vector<std::string> clips;
   for (const auto& entry : fs::directory_iterator{options.folder}) {
     auto labels = entry.path();
@@ -55,7 +55,12 @@ std::vector<std::string> clips_in(const ValidateLipsOptions& options) {
                     "need both",
                     options.folder)};
   }
-  return clips;
+  for (const auto& clip : options.clips) {
+    if (std::ranges::find(clips, clip) != clips.end()) continue;
+    throw Error{fmt::format(
+        "'{}' has no clip \"{}\"; it has {}", options.folder, clip, fmt::join(clips, ", "))};
+  }
+  return options.clips.empty() ? clips : options.clips;
 }
 
 std::vector<LabelledTrack> read_recordings(const ValidateLipsOptions& options) {

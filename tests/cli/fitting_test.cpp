@@ -70,6 +70,13 @@ TEST_F(FitSegments, PrintsAndWritesWhatItLearnt) {
   EXPECT_FALSE(read["definitions"].contains("S"));
 }
 
+TEST_F(FitSegments, TakesOfAFolderTheTablesThatHaveLabels) {
+  files_.write("lips/clips.csv", "clip,talker\n1,2\n");
+  EXPECT_THAT(fit({"lips", "--labels", "labels"}), ended(ExitCode::Done, HasSubstr("3 clips")));
+  EXPECT_THAT(fit({"labels", "--labels", "labels"}),
+              ended(ExitCode::InvalidInput, HasSubstr("no table (.csv) with labels")));
+}
+
 TEST_F(FitSegments, TellsClipsThatWereLeftOut) {
   EXPECT_THAT(fit({"t1.csv",
                    "t2.csv",
