@@ -37,6 +37,12 @@ std::vector<Phone> spoken_by_festival(const std::string& text) {
 }
 
 std::vector<Phone> phones_of(const std::string& text, const PhonesOptions& options) {
+  if (options.from == "arpabet" && text.find_first_of(":~") != std::string::npos) {
+    throw Error{fmt::format(
+        "\"{}\": durations (\"S:140\") and ambiguous sounds (\"B~W:3/8\") are articulated, not "
+        "spelled; give it to `bimodal tracks --from arpabet`, or leave them out",
+        text)};
+  }
   if (options.from != "text") return read_phones(text, notation_named(options.from));
   if (options.method == "festival") return spoken_by_festival(text);
   return joined(said_words(text, options.method));

@@ -30,6 +30,13 @@ TEST_F(PhonesVerb, PrintsRestWhereWordsHaveAPauseBetweenThem) {
               ended(ExitCode::Done, Eq("S\nT\nUW\nrest\nB\nUW\nT\n")));
 }
 
+TEST_F(PhonesVerb, SaysWhereDurationsAndAmbiguousSoundsBelong) {
+  for (const auto* const text : {"S:140 UW", "b~w:3/8 AA"}) {
+    EXPECT_THAT(phones({"--from", "arpabet", text}),
+                ended(ExitCode::InvalidInput, HasSubstr("bimodal tracks --from arpabet")));
+  }
+}
+
 TEST_F(PhonesVerb, ReadsByRuleOrDictionary) {
   EXPECT_THAT(phones({"--method", "nrl", "HELLO WORLD"}),
               ended(ExitCode::Done, Eq("HH\nEH\nL\nOW\nW\nER\nL\nD\n")));
