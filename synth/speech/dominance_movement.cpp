@@ -15,6 +15,7 @@ namespace {
 std::vector<std::size_t> order_of(const std::vector<Claim>& claims) {
   std::vector<std::size_t> order(claims.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  if (std::ranges::is_sorted(claims, {}, &Claim::peak)) return order;
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return claims[i].peak; });
   return order;
 }
@@ -40,22 +41,29 @@ DominanceMovement::DominanceMovement(const ControlClaims& claims) {
       constant_.push_back(track);
       continue;
     }
-    std::vector<Peak> peaks;
-    peaks.reserve(asked.size());
+    const auto order = order_of(asked);
     std::vector<double> targets;
     targets.reserve(asked.size());
-    for (const auto i : order_of(asked)) {
-      peaks.push_back({.time_ms = asked[i].peak.count(),
-                       .log_alpha = std::log(asked[i].dominance.alpha),
-                       .dominance = asked[i].dominance});
-      targets.push_back(asked[i].target);
-    }
+    for (const auto i : order) targets.push_back(asked[i].target);
     auto same = std::ranges::find_if(channels_, [&](const Channel& channel) {
-      return channel.tracks.size() < kMostTracks && channel.peaks == peaks;
+      const auto is_claimed = [](const Peak& peak, const Claim& claim) {
+        return peak.time_ms == claim.peak.count() && peak.dominance == claim.dominance;
+      };
+      return channel.tracks.size() < kMostTracks &&
+             std::ranges::equal(
+                 channel.peaks, order, is_claimed, {}, [&](std::size_t i) -> const Claim& {
+                   return asked[i];
+                 });
     });
     if (same == channels_.end()) {
-      channels_.emplace_back().peaks = std::move(peaks);
+      channels_.emplace_back();
       same = channels_.end() - 1;
+      same->peaks.reserve(asked.size());
+      for (const auto i : order) {
+        same->peaks.push_back({.time_ms = asked[i].peak.count(),
+                               .log_alpha = std::log(asked[i].dominance.alpha),
+                               .dominance = asked[i].dominance});
+      }
     }
     same->tracks.push_back(track);
     same->targets.push_back(std::move(targets));
