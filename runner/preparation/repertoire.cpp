@@ -31,7 +31,7 @@ void end_with(Utterance& utterance, Duration end) {
 /// Silent outside of the stretch, with falls of 5 ms at its edges: words cut out of running speech
 /// have their neighbours in their margins.
 void keep_only(Clip& sound, const SpeechInterval& clear) {
-  constexpr Duration kFall = std::chrono::nanoseconds{5};
+  constexpr Duration kFall = std::chrono::milliseconds{5};
   const auto sample = [&](Duration time) {
     const auto nearest = std::max<std::int64_t>(0, nearest_sample(time, sound.rate).count());
     return std::min(static_cast<std::size_t>(nearest), sound.samples.size());
@@ -64,10 +64,10 @@ Performance Repertoire::lie_between(const std::string& talker, const SeenWord& w
   const auto& segments = word.articulation;
   const auto& from = perform(talker, word.spelling, first_end(segments));
   const auto& to = perform(talker, word.spelling, last_end(segments));
-  const auto nanoseconds = [](const Performance& performance) {
+  const auto release_ns = [](const Performance& performance) {
     return static_cast<double>(release_of(performance.sound, performance.utterance).count());
   };
-  const auto release = std::lerp(nanoseconds(from), nanoseconds(to), mean_share(segments));
+  const auto release = std::lerp(release_ns(from), release_ns(to), mean_share(segments));
   return {.sound = {.rate = rate_, .samples = {}},
           .utterance = between(from.utterance, to.utterance, segments),
           .source = std::nullopt,

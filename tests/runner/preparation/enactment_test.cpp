@@ -226,6 +226,27 @@ TEST_F(EnactmentTest, NeighboursInTheMarginsOfAWordAreSilent) {
   EXPECT_GT(loudest(from, to), 0.01F);
 }
 
+TEST_F(EnactmentTest, AWordThatIsCutOutOfSpeechFallsFor5Milliseconds) {
+  make_corpus();
+  Repertoire whole{Hertz{48'000}, corpora_};
+  const auto uncut = whole.perform("corpus:made", "ba", {}).sound.samples;
+  auto& item = corpora_.at("made").items[0];
+  const auto vowel = item.phones.back();
+  item.clear = SpeechInterval{vowel.start + 20ms, vowel.end() - 20ms};  // within the vowel
+  const auto first = static_cast<std::size_t>(
+      nearest_sample(item.clear->start - item.start, Hertz{48'000}).count());
+  Repertoire repertoire{Hertz{48'000}, corpora_};
+  const auto& cut = repertoire.perform("corpus:made", "ba", {}).sound.samples;
+  const auto energy = [](const std::vector<float>& samples, std::size_t from, std::size_t to) {
+    double sum = 0;
+    for (std::size_t i = from; i < to; ++i) sum += std::pow(static_cast<double>(samples[i]), 2);
+    return sum;
+  };
+  const std::size_t fall = 240;  // 5 ms
+  EXPECT_LT(energy(cut, first, first + fall / 3), 0.1 * energy(uncut, first, first + fall / 3));
+  for (std::size_t i = first + fall; i < first + 2 * fall; ++i) ASSERT_EQ(cut[i], uncut[i]);
+}
+
 TEST_F(EnactmentTest, AWordThatNobodySaysIsNamed) {
   make_corpus();
   Repertoire repertoire{Hertz{48'000}, corpora_};
