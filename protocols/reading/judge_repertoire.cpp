@@ -108,10 +108,7 @@ class Repertoire {
   std::set<std::string> different_;  ///< words and their phones here and there
 };
 
-}  // namespace
-
-namespace {
-
+/// Goes through conditions, and tells what is to be told of a corpus once.
 class Judgement {
  public:
   Judgement(const Cast& cast,

@@ -8,6 +8,7 @@
 
 #include "protocols/reading/read_condition.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/base/lower_case.hpp"
 #include "stimuli/base/object_reader.hpp"
 
 namespace bimodal::protocols {
@@ -33,14 +34,6 @@ void take(T& target, std::optional<T> read) {
 
 void take_whole(int& target, std::optional<std::int64_t> read) {
   if (read) target = static_cast<int>(*read);
-}
-
-std::string lower_case(std::string_view text) {
-  std::string lower{text};
-  for (char& letter : lower) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return lower;
 }
 
 /// ["B", "AA"] or ["B~W:3/8", "AA"]; noted and empty where something is no phone.

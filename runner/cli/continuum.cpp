@@ -141,7 +141,7 @@ ExitCode continuum(const ContinuumOptions& options) {
              options.output,
              counted(made.tokens.size(), "token"),
              options.without_videos ? "" : " and videos",
-             has_words ? " words.json (a word list for protocols)," : "",
+             has_words ? " tokens.json (a word list for protocols)," : "",
              options.format,
              options.format);
   return ExitCode::Done;
@@ -156,7 +156,8 @@ void add_continuum(CLI::App& app, Verb& chosen) {
       "for contacts: synth/speech/README.md); or along controls or dynamics of one sound. Writes "
       "for each token the movement\n"
       "of every control (CSV) and a video, and for all a table, plots over the steps and over\n"
-      "time, and a strip of pictures of middles and releases; and, between two sounds, words.json, "
+      "time, and a strip of pictures of middles and releases; and, between two sounds, "
+      "tokens.json, "
       "a word "
       "list\n"
       "that protocols take. What an earlier continuum left in the folder is removed. In protocols, "

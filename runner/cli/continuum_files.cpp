@@ -11,6 +11,7 @@
 
 #include "stimuli/base/csv.hpp"
 #include "stimuli/base/draft.hpp"
+#include "stimuli/base/lower_case.hpp"
 #include "stimuli/picture/drawing.hpp"
 #include "stimuli/video/video_writer.hpp"
 #include "synth/render/head_renderer.hpp"
@@ -20,6 +21,7 @@
 namespace bimodal::runner {
 
 void remove_earlier_tokens(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / "tokens.csv")) return;
   for (const auto& entry : std::filesystem::directory_iterator{folder}) {
     const auto name = entry.path().filename().string();
     const auto stem = entry.path().stem().string();
@@ -29,7 +31,7 @@ void remove_earlier_tokens(const std::filesystem::path& folder) {
         stem.size() > kToken.size() && stem.starts_with(kToken) &&
         stem.find_first_not_of("0123456789", kToken.size()) == std::string::npos;
     const bool is_token = is_numbered && (ending == ".csv" || ending == ".mp4");
-    if (is_token || name == "words.json") std::filesystem::remove(entry.path());
+    if (is_token || name == "tokens.json") std::filesystem::remove(entry.path());
   }
 }
 
@@ -79,14 +81,10 @@ bool write_token_words(const synth::Continuum& continuum, const std::filesystem:
       if (is_rest || !segments[i].segment) return false;
       phones.push_back(symbol(*segments[i].segment));
     }
-    std::string spelling = token.name;
-    std::ranges::transform(spelling, spelling.begin(), [](char letter) {
-      return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-    });
-    words.push_back({{"word", spelling}, {"phones", std::move(phones)}});
+    words.push_back({{"word", lower_case(token.name)}, {"phones", std::move(phones)}});
   }
   const nlohmann::ordered_json list{{"words", std::move(words)}};
-  write_file(folder / "words.json", list.dump(1) + '\n');
+  write_file(folder / "tokens.json", list.dump(1) + '\n');
   return true;
 }
 

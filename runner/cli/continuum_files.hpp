@@ -8,15 +8,15 @@
 
 namespace bimodal::runner {
 
-/// Removes what an earlier continuum left in the folder and this one may not write: token*.csv,
-/// token*.mp4, words.json.
+/// Removes what an earlier continuum left in the folder and this one may not write: token0.csv ...,
+/// token0.mp4 ..., tokens.json. Leaves a folder alone that has no tokens.csv, so none of ours.
 void remove_earlier_tokens(const std::filesystem::path& folder);
 
 /// tokens.csv: a row per token with its name, its place, the lips' measures in the middle, how long
 /// they are shut, how soon half open, how fast, and every control in the middle.
 void write_token_table(const synth::Continuum& continuum, const std::filesystem::path& folder);
 
-/// words.json: the tokens between two sounds as a word list for protocols, each under its name in
+/// tokens.json: the tokens between two sounds as a word list for protocols, each under its name in
 /// lower case. False if the context has rests, which words have not.
 [[nodiscard]] bool write_token_words(const synth::Continuum& continuum,
                                      const std::filesystem::path& folder);

@@ -115,7 +115,8 @@ bool has_arrived() {
 int main(int count, char** arguments) {
   try {
     const auto code = perform_what_is_asked(count, arguments);
-    return static_cast<int>(has_arrived() ? code : ExitCode::InvalidInput);
+    const bool has_failed = code != ExitCode::Done && code != ExitCode::Findings;
+    return static_cast<int>(has_arrived() || has_failed ? code : ExitCode::InvalidInput);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bimodal: %s\n", error.what());
     return static_cast<int>(ExitCode::Internal);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -15,6 +14,7 @@
 #include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/lower_case.hpp"
 #include "stimuli/picture/drawing.hpp"
 #include "stimuli/timeline/ambiguous_word.hpp"
 #include "stimuli/words/dictionary.hpp"
@@ -40,10 +40,7 @@ struct RenderOptions {
 SpelledSegments pronunciation(const RenderOptions& options) {
   if (options.phones.empty()) {
     const Dictionary dictionary{Dictionary::installed()};
-    std::string word = options.word;
-    std::ranges::transform(
-        word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto found = dictionary.pronunciations(word);
+    const auto found = dictionary.pronunciations(lower_case(options.word));
     if (found.empty()) {
       throw Error{
           fmt::format("the dictionary has no pronunciation of '{}'; give one: "

@@ -7,6 +7,7 @@
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/said_text.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/lower_case.hpp"
 #include "stimuli/timeline/inventory_file.hpp"
 #include "stimuli/words/plain_text.hpp"
 #include "synth/speech/durations.hpp"
@@ -105,11 +106,7 @@ void refuse_idle_options(const SpokenOptions& options, bool is_score) {
 
 /// A name that ends with ".json"; another file that is there is refused, not said as a text.
 bool names_score(const std::string& text) {
-  auto ending = std::filesystem::path{text}.extension().string();
-  for (char& letter : ending) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  if (ending == ".json") return true;
+  if (lower_case(std::filesystem::path{text}.extension().string()) == ".json") return true;
   std::error_code ignored;
   if (text.find('/') != std::string::npos && std::filesystem::exists(text, ignored)) {
     throw Error{fmt::format(

@@ -1,5 +1,7 @@
 #include "synth/speech/tracks.hpp"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -33,20 +35,24 @@ struct TracksOptions {
 
 /// "csv", "json", "svg", "pdf" or "png": as a flag says, or the name of the output ends.
 std::string form_of(const TracksOptions& options) {
+  constexpr std::array kForms{".csv", ".json", ".svg", ".pdf", ".png"};
   const auto ending = std::filesystem::path{options.output}.extension().string();
+  const bool is_known = std::ranges::find(kForms, ending) != kForms.end();
   for (const auto& [is_asked, form] :
        {std::pair{options.json, ".json"}, {options.svg, ".svg"}, {options.csv, ".csv"}}) {
     if (!is_asked) continue;
-    if (!options.output.empty() && ending != form) {
-      throw Error{fmt::format(
-          "'{}' does not end with {}; end it so, or leave the option out", options.output, form)};
+    if (is_known && ending != form) {
+      throw Error{
+          fmt::format("'{}' is not the name of a file of the form --{}; end it with {}, or "
+                      "leave the option out",
+                      options.output,
+                      form + 1,
+                      form)};
     }
     return form + 1;
   }
   if (options.output.empty()) return "csv";
-  for (const auto* const known : {".csv", ".json", ".svg", ".pdf", ".png"}) {
-    if (ending == known) return ending.substr(1);
-  }
+  if (is_known) return ending.substr(1);
   throw Error{fmt::format(
       "'{}': tracks are written as .csv, .json, .svg, .pdf or .png; end the name so, or say which "
       "by --csv, --json or --svg",

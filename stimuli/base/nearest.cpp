@@ -4,19 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "stimuli/base/lower_case.hpp"
+
 namespace bimodal {
 
 namespace {
 
 constexpr std::size_t kLongestTyped = 64;  ///< bytes; longer ones are no slips of the finger
-
-std::string lower_case(std::string_view text) {
-  std::string lower{text};
-  for (char& letter : lower) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return lower;
-}
 
 }  // namespace
 

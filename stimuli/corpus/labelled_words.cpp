@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/lower_case.hpp"
 #include "stimuli/corpus/hear_text.hpp"
 #include "stimuli/corpus/word_list_of.hpp"
 
@@ -21,14 +22,6 @@ constexpr Duration kSameEdge = 5ms;
 
 double seconds(Duration duration) {
   return std::chrono::duration<double>{duration}.count();
-}
-
-std::string lower_case(std::string_view text) {
-  std::string lower{text};
-  std::ranges::transform(lower, lower.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
-  return lower;
 }
 
 /// The word's index under which most of a phone lies; absent if it lies under none.

@@ -8,6 +8,7 @@
 
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/lower_case.hpp"
 #include "stimuli/words/number_words.hpp"
 #include "stimuli/words/plain_text.hpp"
 
@@ -17,14 +18,6 @@ namespace {
 
 bool is_of_word(char letter) {
   return is_letter(letter) || is_digit(letter);
-}
-
-std::string lower_case(std::string_view written) {
-  std::string lower{written};
-  for (char& letter : lower) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return lower;
 }
 
 Pause pause_of(char mark) {

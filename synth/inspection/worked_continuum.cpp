@@ -59,10 +59,11 @@ Opening opening_about(const ContinuumToken& token,
   std::ranges::reverse(opening.height_mm);
   opening.middle = opening.time_ms.size() - 1;
   const double end = token.score.end().count();
-  for (double time = middle + kStep; time < end; time += kStep) {
-    const bool is_parted = opening.parting() != kNotParted;
-    if (is_parted && time > opening.time_ms[opening.parting()] + kOpeningTime.count()) break;
+  const auto is_open = [&] { return opening.height_mm.back() > kShutGapMm; };
+  auto last = is_open() ? std::min(end, middle + kOpeningTime.count()) : end;
+  for (double time = middle + kStep; time < last; time += kStep) {
     add(time);
+    if (last == end && is_open()) last = std::min(end, time + kOpeningTime.count() + kStep);
   }
   return opening;
 }

@@ -53,9 +53,12 @@ class ScoreReader {
 
   Score read(const json& root) {
     ObjectReader reader{root, "", findings_};
+    static_cast<void>(reader.find("about"));
     // What `tracks --json` writes is a score, too: what was sampled is passed over.
-    for (const auto key : {"about", "rate_hz", "time_ms", "controls", "dominance"}) {
-      static_cast<void>(reader.find(key));
+    const bool is_sampled =
+        root.is_object() && root.contains("rate_hz") && root.contains("time_ms");
+    for (const auto key : {"rate_hz", "time_ms", "controls", "dominance"}) {
+      if (is_sampled) static_cast<void>(reader.find(key));
     }
     read_definitions(reader);
     reader.require("segments",

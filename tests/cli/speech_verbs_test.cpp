@@ -84,6 +84,36 @@ TEST_F(SpeechVerbs, TracksRefuseOptionsWithoutEffectAndFilesThatAreNoScores) {
               ended(ExitCode::InvalidInput, HasSubstr("the name of a score ends with .json")));
 }
 
+TEST_F(SpeechVerbs, TracksAreOfTheFormThatIsAskedFor) {
+  EXPECT_THAT(bimodal({"tracks", "stew", "--svg", "-o", path("x.png")}),
+              ended(ExitCode::InvalidInput, HasSubstr("end it with .svg")));
+  EXPECT_THAT(bimodal({"tracks", "stew", "--csv", "-o", path("x.txt")}),
+              ended(ExitCode::Done, HasSubstr("x.txt")));
+}
+
+TEST_F(SpeechVerbs, AContinuumRemovesOnlyWhatAContinuumWrote) {
+  const auto folder = path("mine");
+  std::filesystem::create_directory(folder);
+  files_.write("mine/tokens.json", "{}");
+  files_.write("mine/token9.csv", "mine");
+  const std::vector<std::string> along{"continuum",
+                                       "b",
+                                       "--vary",
+                                       "cheek_puff",
+                                       "--steps",
+                                       "2",
+                                       "--no-video",
+                                       "--height",
+                                       "96",
+                                       "-o",
+                                       folder};
+  ASSERT_THAT(bimodal(along), ended(ExitCode::Done, HasSubstr("2 tokens")));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/token9.csv"));
+  ASSERT_THAT(bimodal(along), ended(ExitCode::Done, HasSubstr("2 tokens")));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/token9.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/tokens.json"));
+}
+
 TEST_F(SpeechVerbs, WhatTracksWriteAsJsonIsAScore) {
   ASSERT_THAT(bimodal({"tracks", "stew", "--rate-hz", "10", "-o", path("stew.json")}),
               ended(ExitCode::Done, HasSubstr("stew.json")));
@@ -133,7 +163,7 @@ TEST_F(SpeechVerbs, AContinuumHasTokensTablePlotsAndPictures) {
        {"tokens.csv", "controls.svg", "movements.svg", "strip.png", "token0.csv", "token2.mp4"}) {
     EXPECT_TRUE(std::filesystem::exists(path("bw") + "/" + name)) << name;
   }
-  EXPECT_THAT(bytes("bw/words.json"), HasSubstr("\"word\": \"b~w:1/2\""));
+  EXPECT_THAT(bytes("bw/tokens.json"), HasSubstr("\"word\": \"b~w:1/2\""));
   EXPECT_THAT(bimodal({"continuum", "b", "w", "--high", "2", "-o", path("none")}),
               ended(ExitCode::InvalidInput, HasSubstr("values of --vary")));
   EXPECT_THAT(bimodal({"continuum", "b", "--steps", "3", "-o", path("none")}),

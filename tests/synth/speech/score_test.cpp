@@ -36,12 +36,21 @@ Score read(const std::string& text) {
   return score.value_or(Score{});
 }
 
-std::vector<std::string> faults(const std::string& text) {
+/// What is found in a score that can, or cannot, be used.
+std::vector<std::string> found_in(const std::string& text, bool is_usable) {
   std::vector<Diagnostic> diagnostics;
-  EXPECT_FALSE(parse_score(text, "score.json", diagnostics));
+  EXPECT_EQ(parse_score(text, "score.json", diagnostics).has_value(), is_usable);
   std::vector<std::string> found;
   for (const auto& diagnostic : diagnostics) found.push_back(describe(diagnostic));
   return found;
+}
+
+std::vector<std::string> faults(const std::string& text) {
+  return found_in(text, false);
+}
+
+std::vector<std::string> warnings(const std::string& text) {
+  return found_in(text, true);
 }
 
 std::string with_control(const std::string& more) {
@@ -133,14 +142,6 @@ TEST(Score, WarnsOfDefinitionsThatNoSegmentUses) {
   EXPECT_THAT(describe(diagnostics[0]), HasSubstr("no segment is Q;"));
 }
 
-std::vector<std::string> warnings(const std::string& text) {
-  std::vector<Diagnostic> diagnostics;
-  EXPECT_TRUE(parse_score(text, "score.json", diagnostics));
-  std::vector<std::string> found;
-  for (const auto& diagnostic : diagnostics) found.push_back(describe(diagnostic));
-  return found;
-}
-
 TEST(Score, WarnsOfControlsThatAreNearlyTheFaces) {
   auto text = with_control("");
   EXPECT_TRUE(warnings(text).empty());
@@ -154,6 +155,12 @@ TEST(Score, RefusesControlsCalledLikeOtherColumns) {
     text.replace(text.find("\"p\""), 3, "\"" + std::string{name} + "\"");
     EXPECT_THAT(faults(text), ElementsAre(HasSubstr("kept for a column"))) << name;
   }
+}
+
+TEST(Score, RefusesControlsBesideItsSegments) {
+  auto text = with_control("");
+  text.insert(1, "\"controls\":{},");
+  EXPECT_THAT(faults(text), ElementsAre(HasSubstr("/controls")));
 }
 
 TEST(Score, OfTracksMovesAsTheTracksDid) {
