@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stimuli/base/digest.hpp"
-#include "tests/support/written_files.hpp"
+#include "tests/protocols/reading/reading.hpp"
 
 namespace bimodal::protocols {
 namespace {
@@ -19,59 +19,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
-
-constexpr std::string_view kDictionary =
-    "cat K AE T\ndog D AO G\ndog(2) D AA G\nfish F IH SH\nhouse HH AW S\nmoon M UW N\n";
-
-/// Every line has one key, so that line numbers are plain.
-constexpr std::string_view kGood = R"({
-  "bimodal_protocol": 1,
-  "title": "Test",
-  "seed": 7,
-  "words": ["cat", "Dog"],
-  "conditions": [
-    {"name": "a", "auditory": {"talker": "festival:slt"}, "snr_db": -8},
-    {"name": "v", "visual": {"talker": "face"}}
-  ]
-})";
-
-class Reading : public ::testing::Test {
- protected:
-  ReadProtocol read(std::string text) const {
-    return read_protocol_text(
-        std::move(text), files_.folder() / "test.json", {.dictionary = dictionary_});
-  }
-
-  /// All messages of the good protocol with one part of its text replaced.
-  std::vector<std::string> messages(std::string_view part, std::string_view replacement) const {
-    std::string text{kGood};
-    const auto at = text.find(part);
-    EXPECT_NE(at, std::string::npos) << part;
-    text.replace(at, part.size(), replacement);
-    return messages(text);
-  }
-
-  std::vector<std::string> messages(const std::string& text) const {
-    std::vector<std::string> lines;
-    const auto folder = files_.folder().string() + "/";
-    for (const auto& diagnostic : read(text).diagnostics) {
-      auto line = describe(diagnostic);
-      for (auto at = line.find(folder); at != std::string::npos; at = line.find(folder)) {
-        line.erase(at, folder.size());
-      }
-      lines.push_back(line);
-    }
-    return lines;
-  }
-
-  /// With these keys added before the others (so their line is 2).
-  std::vector<std::string> with(std::string_view keys) const {
-    return messages("\n  \"bimodal", "\n  " + std::string{keys} + ", \"bimodal");
-  }
-
-  WrittenFiles files_;
-  std::filesystem::path dictionary_ = files_.write("dictionary.dict", kDictionary);
-};
 
 TEST_F(Reading, GivesTheModelOfAGoodProtocol) {
   const auto read = this->read(std::string{kGood});
@@ -387,59 +334,6 @@ TEST_F(Reading, CountsCharactersNotBytes) {
   EXPECT_THAT(messages("\"v\"", "\"" + name + "\""), IsEmpty());
   EXPECT_THAT(messages("\"v\"", "\"" + name + "x\""),
               ElementsAre(HasSubstr("41 characters are outside 1 to 40")));
-}
-
-TEST_F(Reading, AccountAndInventoryOfTheFaceAreRead) {
-  std::string text{kGood};
-  const std::string plain = R"("visual": {"talker": "face"})";
-  EXPECT_EQ(read(text).protocol.conditions.at(1).articulating.account, Account::Dominance);
-  text.replace(
-      text.find(plain),
-      plain.size(),
-      R"("visual": {"talker": "face", "coarticulation": "look-ahead", "segments": "mine.json"})");
-  EXPECT_THAT(messages(text),
-              ElementsAre(HasSubstr("/conditions/1/visual/segments: there is neither")));
-  files_.write("mine.json", "{}");
-  const auto protocol = read(text);
-  EXPECT_THAT(protocol.diagnostics, IsEmpty());
-  const auto& articulating = protocol.protocol.conditions.at(1).articulating;
-  EXPECT_EQ(articulating.account, Account::LookAhead);
-  EXPECT_EQ(articulating.segments, (files_.folder() / "mine.json").string());
-}
-
-TEST_F(Reading, RecordingsHaveNoAccountUnlessTheFaceTakesTheirPlace) {
-  const std::string plain = R"("visual": {"talker": "face"})";
-  EXPECT_THAT(messages(plain, R"("visual": {"talker": "corpus:mine", "coarticulation": "hybrid"})"),
-              Contains(HasSubstr("/conditions/1/visual/coarticulation: recordings articulate")));
-  EXPECT_THAT(messages(plain,
-                       R"("visual": {"talker": "corpus:mine", "otherwise": "face",
-                                     "coarticulation": "hybrid"})"),
-              ElementsAre(HasSubstr("takes its place")));
-}
-
-TEST_F(Reading, AVoiceSaysTheNearerOfAmbiguousSounds) {
-  const auto heard =
-      messages(R"(["cat", "Dog"])", R"(["cat", {"word": "bw", "phones": ["B~W:5/8", "AA"]}])");
-  EXPECT_THAT(heard, ElementsAre(HasSubstr("bw as W AA")));
-  std::string text{kGood};
-  text.replace(text.find(R"(["cat", "Dog"])"),
-               14,
-               R"([{"word": "bw", "phones": ["B~W:5/8", "AA"]}, "cat"])");
-  text.replace(text.find(R"("snr_db": -8)"), 12, R"("snr_db": -8, "visual": {"talker": "face"})");
-  EXPECT_THAT(messages(text), ElementsAre(HasSubstr("bw as W AA")));
-  // A sound of its own that is heard with it needs no warning, nor do the ends.
-  const std::string between = R"({"word": "bw", "phones": ["B~W:5/8", "AA"]})";
-  auto dubbed = text;
-  dubbed.replace(dubbed.find(between),
-                 between.size(),
-                 R"({"word": "wa", "phones": ["W", "AA"], "seen": )" + between + "}");
-  EXPECT_THAT(messages(dubbed), IsEmpty());
-  const auto words = read(dubbed).words.words;
-  ASSERT_TRUE(words.at(0).seen);
-  EXPECT_EQ(words[0].seen->articulation.at(0), (Segment{Phone::B, Phone::W, 5, 8}));
-  auto end = text;
-  end.replace(end.find("5/8"), 3, "8/8");
-  EXPECT_THAT(messages(end), IsEmpty());
 }
 
 }  // namespace
