@@ -41,10 +41,15 @@ Slits slits_of(const MouthLoops& mouth, std::span<const glm::vec3> skin) {
     for (int ring = kContact; ring <= kLastContact; ++ring) {
       slit.gap = std::min(slit.gap, static_cast<double>(upper(ring).y - lower(ring).y));
     }
-    if (slit.gap < kClosedMm) slit.gap = 0.0;
   }
   slits.back().x = static_cast<double>(skin[mouth.vertex(kContact, MouthLoops::kCorner, kSide)].x);
   return slits;
+}
+
+void shut_what_is_closed(Slits& slits) {
+  for (auto& slit : slits) {
+    if (slit.gap < kClosedMm) slit.gap = 0.0;
+  }
 }
 
 double area_between(const Slits& slits) {
@@ -89,7 +94,9 @@ LipMeasures LipRuler::measure(const MouthLoops& mouth, std::span<const glm::vec3
   const auto at = [&](int ring, int column, MouthLoops::Side side) {
     return skin[mouth.vertex(ring, column, side)];
   };
-  const auto slits = slits_of(mouth, skin);
+  auto slits = slits_of(mouth, skin);
+  const auto [smallest, largest] = std::ranges::minmax(slits, {}, &Slit::gap);
+  shut_what_is_closed(slits);
   return {
       .inner_height_mm = slits.front().gap,
       .inner_width_mm = visible_width(slits),
@@ -101,6 +108,8 @@ LipMeasures LipRuler::measure(const MouthLoops& mouth, std::span<const glm::vec3
       .upper_protrusion_mm = static_cast<double>(at(kFullest, kUpper, Left).z - rest_upper_z_),
       .lower_protrusion_mm = static_cast<double>(at(kFullest, kLower, Left).z - rest_lower_z_),
       .chin_drop_mm = static_cast<double>(rest_chin_y_ - skin[chin_].y),
+      .largest_gap_mm = std::max(0.0, largest.gap),
+      .smallest_gap_mm = smallest.gap,
       .inner_centre = 0.5F * (at(kContact, kUpper, Left) + at(kContact, kLower, Left)),
   };
 }
