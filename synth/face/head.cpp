@@ -148,10 +148,13 @@ struct Head::Rig {
                         .lip = skin.apply(files.fields.column("lip")),
                         .wet = skin.apply(files.fields.column("wet")),
                         .scalp = skin.apply(files.fields.column("scalp")),
-                        .special = skin.apply(files.fields.column("dark"))});
+                        .special = skin.apply(files.fields.column("dark")),
+                        .name = "skin"});
     surfaces.push_back(unmasked(
         Material::Tongue, tongue.triangles(), drawn(tongue, tongue_cage(neutral_pose(), {}))));
+    surfaces.back().name = "tongue";
     surfaces.push_back(lashes.description(rest_skin));
+    surfaces.back().name = "lashes";
     for (auto& part : parts) surfaces.push_back(part.description);
   }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -23,6 +24,8 @@ struct SurfaceDescription {
   std::vector<float> scalp;  ///< hair mask
   std::vector<float>
       special;  ///< Skin: darkness of nostril and lid; Tooth: 0 incisal to 1 cervical
+  std::string name =
+      {};  ///< of the part in head.obj, e.g. "lower_teeth"; of one made here, "lashes"
 };
 
 /// The moving part: as many as the description has rest positions.
