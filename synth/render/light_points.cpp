@@ -37,7 +37,7 @@ constexpr std::array kSpots{
     Spot{Material::Skin, {20.0F, 20.0F, 98.0F}, true},     // brow
 };
 
-constexpr float kSpotDiameter = 2.6F;    // mm
+constexpr float kSpotDiameter = 3.2F;    // mm
 constexpr float kVertexDiameter = 0.6F;  // mm
 constexpr float kLift = 1.5F;            // mm towards the camera, out of the surface
 constexpr float kLipSpacing = 3.5F;      // mm between lip points
