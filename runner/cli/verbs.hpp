@@ -26,6 +26,7 @@ void add_fit_segments(CLI::App& app, Verb& chosen);
 void add_validate_lips(CLI::App& app, Verb& chosen);
 void add_stimuli(CLI::App& app, Verb& chosen);
 void add_render(CLI::App& app, Verb& chosen);
+void add_face(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
 void add_corpus(CLI::App& app, Verb& chosen);
 

@@ -110,6 +110,7 @@ std::vector<RigidPart> eye_parts(const Cage& cage, bool left) {
   parts.push_back(
       ellipsoid(coarse, {2.3F, 1.9F, 2.0F}, {18.3F * side, -1.5F, 75.0F}, std::move(on_caruncle)));
   parts.push_back(cornea(fine, left));
+  for (auto& part : parts) part.description.name = cage.name;
   return parts;
 }
 

@@ -156,11 +156,14 @@ struct Head::Rig {
                         .wet = skin.apply(files.fields.column("wet")),
                         .scalp = skin.apply(files.fields.column("scalp")),
                         .lower = skin.apply(on_lower_lip(files.fields)),
-                        .special = skin.apply(files.fields.column("dark"))});
+                        .special = skin.apply(files.fields.column("dark")),
+                        .name = "skin"});
     std::vector<glm::vec3> rest_tongue;
     pose_tongue(neutral_pose(), {}, rest_tongue);
     surfaces.push_back(unmasked(Material::Tongue, tongue.triangles(), std::move(rest_tongue)));
+    surfaces.back().name = "tongue";
     surfaces.push_back(lashes.description(rest_skin));
+    surfaces.back().name = "lashes";
     for (auto& part : parts) surfaces.push_back(part.description);
   }
 

@@ -64,6 +64,7 @@ RigidPart palate_part() {
   RigidPart part{.carrier = RigidPart::Carrier::UpperTeeth,
                  .description = unmasked(Material::Gum, std::move(triangles), positions),
                  .at_rest = {}};
+  part.description.name = "palate";
   quad_normals(positions, quads, part.at_rest.normals);
   part.at_rest.positions = std::move(positions);
   return part;

@@ -25,6 +25,7 @@ RigidPart rigid_part(const Cage& cage,
   stencils.apply(cage.vertices, part.at_rest.positions);
   quad_normals(part.at_rest.positions, stencils.quads(), part.at_rest.normals);
   part.description = unmasked(material, stencils.triangles(), part.at_rest.positions);
+  part.description.name = cage.name;
   return part;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -37,6 +38,8 @@ struct SurfaceDescription {
   std::vector<float> lower;  ///< in the mouth's loops: 0 the upper lip, 1 the lower; else 0
   std::vector<float>
       special;  ///< Skin: darkness of nostril and lid; Tooth: 0 incisal to 1 cervical
+  std::string name =
+      {};  ///< of the part in head.obj, e.g. "lower_teeth"; of one made here, "lashes"
 };
 
 /// The moving part: as many as the description has rest positions.

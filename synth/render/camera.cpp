@@ -1,5 +1,6 @@
 #include "synth/render/camera.hpp"
 
+#include <cassert>
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -9,9 +10,8 @@ namespace bimodal::synth {
 
 namespace {
 
-constexpr float kDistance = 1100.0F;   // mm, from the head's centre
-constexpr float kHeadCentreZ = 12.0F;  // mm before the ear canals; the axis of the camera's turn
-constexpr float kHalfDepth = 300.0F;   // mm, what lies before and behind the centre
+constexpr float kHalfDepth = 300.0F;  // mm, what lies before and behind the centre
+constexpr float kParallel = 1e5F;  // mm; an eye from which the head's lines of sight are parallel
 
 }  // namespace
 
@@ -22,15 +22,26 @@ glm::vec3 towards_camera(const View& view) {
 }
 
 Camera camera_for(const View& view) {
-  const glm::vec3 centre{0.0F, static_cast<float>(view.centre_y_mm), kHeadCentreZ};
-  const glm::vec3 position = centre + kDistance * towards_camera(view);
+  const glm::vec3 centre{static_cast<float>(view.centre_x_mm),
+                         static_cast<float>(view.centre_y_mm),
+                         static_cast<float>(view.centre_z_mm)};
+  const auto distance = static_cast<float>(view.distance_mm);
+  assert(distance >= static_cast<float>(kNearestCamera));
+  const glm::vec3 position = centre + distance * towards_camera(view);
   const glm::mat4 camera_from_world = glm::lookAt(position, centre, glm::vec3{0.0F, 1.0F, 0.0F});
 
-  const float near = kDistance - kHalfDepth;
-  const float far = kDistance + kHalfDepth;
-  const float half_height = 0.5F * static_cast<float>(view.field_mm) * near / kDistance;
+  const float near = distance - kHalfDepth;
+  const float far = distance + kHalfDepth;
+  const bool is_parallel = view.projection == Projection::Orthographic;
+  const auto field = static_cast<float>(view.field_mm);
+  const float half_height = is_parallel ? 0.5F * field : 0.5F * field * near / distance;
   const float half_width =
       half_height * static_cast<float>(view.width) / static_cast<float>(view.height);
+  if (is_parallel) {
+    const glm::mat4 clip_from_camera =
+        glm::ortho(-half_width, half_width, half_height, -half_height, near, far);
+    return {clip_from_camera * camera_from_world, centre + kParallel * towards_camera(view)};
+  }
   const glm::mat4 clip_from_camera =
       glm::frustum(-half_width, half_width, half_height, -half_height, near, far);
   return {clip_from_camera * camera_from_world, position};

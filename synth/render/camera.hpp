@@ -7,11 +7,9 @@
 
 namespace bimodal::synth {
 
-/// A pinhole camera 1.1 m from the head, as across a table: near enough for natural perspective,
-/// far enough that the face is not distorted.
 struct Camera {
   glm::mat4 clip_from_world;  ///< with the y axis down: OpenGL's first row is the picture's top
-  glm::vec3 position;         ///< mm, in the head's coordinates
+  glm::vec3 position;         ///< mm, in the head's coordinates; very far if orthographic
 };
 
 /// From the head's centre, unit length.

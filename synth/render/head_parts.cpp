@@ -14,17 +14,20 @@ using enum HeadPart;
 
 constexpr std::array<PartLook, kHeadPartCount> kLooks{{
     // part, shader, definition, sky floor, shadow floor, softness, exponent, grain
-    {Skin, "skin.frag", "", 0.0F, 0.0F, 1.0F, 0.0F, 0.0F},
-    {Lips, "skin.frag", "LIPS", 0.03F, 0.0F, 1.0F, 0.0F, 0.0F},
-    {Brow, "skin.frag", "BROW", 0.0F, 0.0F, 1.0F, 0.0F, 0.0F},
-    {Hair, "skin.frag", "HAIR", 0.0F, 0.0F, 0.6F, 0.0F, 0.0F},
-    {Eye, "eye.frag", "", 0.0F, 0.0F, 0.25F, 0.0F, 0.0F},
-    {MouthWall, "skin.frag", "LIPS", 0.03F, 0.0F, 1.0F, 0.0F, 0.0F},
-    {Tooth, "mouth.frag", "", 0.30F, 0.35F, 0.35F, 45.0F, 0.0F},
+    {Skin, "skin.frag", "", 0.0F, 0.0F, 1.0F, 16.0F, 0.0F},
+    {Ear, "skin.frag", "", 0.0F, 0.0F, 1.0F, 16.0F, 0.0F},
+    {Lips, "skin.frag", "LIPS", 0.03F, 0.0F, 1.0F, 26.0F, 0.0F},
+    {Brow, "skin.frag", "BROW", 0.0F, 0.0F, 1.0F, 16.0F, 0.0F},
+    {Hair, "skin.frag", "HAIR", 0.0F, 0.0F, 0.6F, 16.0F, 0.0F},
+    {Eye, "eye.frag", "", 0.0F, 0.0F, 0.25F, 16.0F, 0.0F},
+    {MouthWall, "skin.frag", "LIPS", 0.03F, 0.0F, 1.0F, 26.0F, 0.0F},
+    {UpperTooth, "mouth.frag", "", 0.30F, 0.35F, 0.35F, 45.0F, 0.0F},
+    {LowerTooth, "mouth.frag", "", 0.30F, 0.35F, 0.35F, 45.0F, 0.0F},
     {Gum, "mouth.frag", "", 0.18F, 0.0F, 1.0F, 25.0F, 0.0F},
+    {Palate, "mouth.frag", "", 0.18F, 0.0F, 1.0F, 25.0F, 0.0F},
     {Tongue, "mouth.frag", "", 0.30F, 0.34F, 1.0F, 22.0F, 0.25F},
-    {Lash, "lash.frag", "", 0.0F, 0.0F, 0.0F, 0.0F, 0.0F},
-    {Cornea, "cornea.frag", "", 0.0F, 0.0F, 0.0F, 0.0F, 0.0F},
+    {Lash, "lash.frag", "", 0.0F, 0.0F, 0.0F, 16.0F, 0.0F},
+    {Cornea, "cornea.frag", "", 0.0F, 0.0F, 0.0F, 16.0F, 0.0F},
 }};
 
 constexpr bool in_order_of_the_enumeration() {
@@ -57,9 +60,9 @@ HeadPart part_of(const SurfaceDescription& surface,
                  std::span<const std::uint32_t, 3> triangle) {
   switch (surface.material) {
     case Material::Tooth:
-      return Tooth;
+      return surface.name == "lower_teeth" ? LowerTooth : UpperTooth;
     case Material::Gum:
-      return Gum;
+      return is_palate(surface) ? Palate : Gum;
     case Material::Tongue:
       return Tongue;
     case Material::Eye:
@@ -71,7 +74,8 @@ HeadPart part_of(const SurfaceDescription& surface,
     case Material::Skin:
       break;
   }
-  return skin_part(skin_detail(surface, paint, triangle));
+  const HeadPart part = skin_part(skin_detail(surface, paint, triangle));
+  return part == Skin && surface.name.ends_with("ear") ? Ear : part;
 }
 
 /// Whether speech turns the part's surface by no more than the 20 degrees allowed for below.

@@ -9,26 +9,10 @@
 #include <glm/vec3.hpp>
 
 #include "synth/face/surface.hpp"
+#include "synth/render/head_part.hpp"
 #include "synth/render/paint.hpp"
 
 namespace bimodal::synth {
-
-/// What is drawn by one program, in the order of drawing: what hides the rest comes first, the
-/// transparent ones last.
-enum class HeadPart : std::uint8_t {
-  Skin,
-  Lips,
-  Brow,
-  Hair,
-  Eye,
-  MouthWall,
-  Tooth,
-  Gum,
-  Tongue,
-  Lash,
-  Cornea,
-};
-inline constexpr std::size_t kHeadPartCount = 11;
 
 /// How a part takes light.
 struct PartLook {
@@ -38,7 +22,7 @@ struct PartLook {
   float sky_floor;     ///< 0..1: light from around that reaches it in spite of what covers it
   float shadow_floor;  ///< 0..1: key light that reaches it in spite of what covers it
   float softness;      ///< 1 like skin, 0 like wood: how far light creeps round the form
-  float exponent;      ///< mouth parts: of the broad highlight
+  float exponent;      ///< of the broad highlight
   float grain;         ///< mouth parts: roughness of colour
 };
 

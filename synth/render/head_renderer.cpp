@@ -51,18 +51,18 @@ glm::mat3 head_axes(const Pose& pose) {
 }  // namespace
 
 struct HeadRenderer::Scene {
-  Scene(const Head& drawn_head, const View& view)
+  Scene(const Head& drawn_head, const View& view, const Appearance& appearance)
       : head{drawn_head},
         current{posed(drawn_head, neutral_pose())},
-        renderer{drawn_head.surfaces(), current, view} {}
+        renderer{drawn_head.surfaces(), current, view, appearance} {}
 
   const Head& head;
   PosedHead current;
   SurfaceRenderer renderer;
 };
 
-HeadRenderer::HeadRenderer(const Head& head, const View& view)
-    : scene_{std::make_unique<Scene>(head, view)} {}
+HeadRenderer::HeadRenderer(const Head& head, const View& view, const Appearance& appearance)
+    : scene_{std::make_unique<Scene>(head, view, appearance)} {}
 
 HeadRenderer::~HeadRenderer() = default;
 

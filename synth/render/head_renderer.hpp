@@ -5,6 +5,7 @@
 
 #include "stimuli/picture/image.hpp"
 #include "synth/face/head.hpp"
+#include "synth/render/appearance.hpp"
 #include "synth/render/view.hpp"
 
 namespace bimodal::synth {
@@ -16,7 +17,7 @@ class HeadRenderer {
  public:
   /// Throws Error if OpenGL cannot be had, saying what to install. `head` must outlive the
   /// renderer.
-  HeadRenderer(const Head& head, const View& view);
+  HeadRenderer(const Head& head, const View& view, const Appearance& appearance = {});
   ~HeadRenderer();
   HeadRenderer(const HeadRenderer&) = delete;
   HeadRenderer& operator=(const HeadRenderer&) = delete;

@@ -7,7 +7,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "synth/render/lights.hpp"
 #include "synth/render/shader.hpp"
 
 namespace bimodal::synth {
@@ -87,13 +86,16 @@ class DepthMaps {
  private:
   // Lashes are too fine and the cornea is clear.
   static constexpr std::array kCasters{HeadPart::Skin,
+                                       HeadPart::Ear,
                                        HeadPart::Lips,
                                        HeadPart::Brow,
                                        HeadPart::Hair,
                                        HeadPart::Eye,
                                        HeadPart::MouthWall,
-                                       HeadPart::Tooth,
+                                       HeadPart::UpperTooth,
+                                       HeadPart::LowerTooth,
                                        HeadPart::Gum,
+                                       HeadPart::Palate,
                                        HeadPart::Tongue};
 
   [[nodiscard]] float open(int column, int row, float depth) const {
@@ -206,15 +208,19 @@ void spread_shadows(std::span<const std::uint32_t> triangles, std::vector<Exposu
 
 std::vector<Exposure> exposure_at_rest(const PosedHead& resting,
                                        const MeshBuffers& mesh,
-                                       std::span<const PartTriangles, kHeadPartCount> drawn) {
+                                       std::span<const PartTriangles, kHeadPartCount> drawn,
+                                       const Materials& materials) {
   std::vector<Exposure> baked(mesh.vertex_count());
   bake_sky(resting, mesh, baked);
   DepthMaps maps{mesh, kLightMapSize};
-  bake_light(resting, maps, kKeyDirection, 1.6F, &Exposure::key, baked);
-  bake_light(resting, maps, kFillDirection, 2.5F, &Exposure::fill, baked);
-  const PartTriangles& skin = drawn[static_cast<std::size_t>(HeadPart::Skin)];
-  std::vector<std::uint32_t> triangles = skin.near;
-  triangles.insert(triangles.end(), skin.far.begin(), skin.far.end());
+  bake_light(resting, maps, materials.key_direction, 1.6F, &Exposure::key, baked);
+  bake_light(resting, maps, materials.fill_direction, 2.5F, &Exposure::fill, baked);
+  std::vector<std::uint32_t> triangles;
+  for (const HeadPart part : {HeadPart::Skin, HeadPart::Ear}) {
+    const PartTriangles& own = drawn[static_cast<std::size_t>(part)];
+    triangles.insert(triangles.end(), own.near.begin(), own.near.end());
+    triangles.insert(triangles.end(), own.far.begin(), own.far.end());
+  }
   spread_shadows(triangles, baked);
   return baked;
 }

@@ -22,6 +22,7 @@ struct Exposure {
 [[nodiscard]] std::vector<Exposure> exposure_at_rest(
     const PosedHead& resting,
     const MeshBuffers& mesh,
-    std::span<const PartTriangles, kHeadPartCount> drawn);
+    std::span<const PartTriangles, kHeadPartCount> drawn,
+    const Materials& materials);
 
 }  // namespace bimodal::synth

@@ -19,9 +19,8 @@ using glm::mix;
 using glm::vec2;
 using glm::vec3;
 
-/// From 8-bit sRGB, the way in which the colours were chosen.
-vec3 linear(float red, float green, float blue) {
-  return glm::convertSRGBToLinear(vec3{red, green, blue} / 255.0F);
+vec3 linear(const Colour& colour) {
+  return glm::convertSRGBToLinear(vec3{colour[0], colour[1], colour[2]} / 255.0F);
 }
 
 float bell(float distance, float width) {
@@ -89,54 +88,58 @@ float blush(vec3 rest) {
          0.25F * philtrum * (rest.z > 60.0F ? 1.0F : 0.0F);
 }
 
-VertexPaint paint_skin(vec3 rest, float darkness) {
+VertexPaint paint_skin(vec3 rest, float darkness, const Materials& materials) {
   constexpr float kMeanOfNoise = 0.44F;
-  const float patches = cloudy_noise(rest * 0.035F) - kMeanOfNoise;
-  const float pores = cloudy_noise(rest * 0.25F) - kMeanOfNoise;
-  vec3 albedo = linear(226, 178, 150) * (1.0F + 0.10F * patches + 0.10F * pores);
-  albedo = mix(albedo, linear(214, 128, 108), 0.34F * clamp01(blush(rest) + 0.35F * patches));
+  const float patches = materials.texture * (cloudy_noise(rest * 0.035F) - kMeanOfNoise);
+  const float pores = materials.texture * (cloudy_noise(rest * 0.25F) - kMeanOfNoise);
+  vec3 albedo = linear(materials.skin) * (1.0F + 0.10F * patches + 0.10F * pores);
+  albedo = mix(albedo, linear(materials.blush), 0.34F * clamp01(blush(rest) + 0.35F * patches));
   const float socket = bell((std::abs(rest.x) - 31.0F) * 0.75F, 13.0F) *
                        bell(rest.y + 5.0F, 10.0F) * (rest.z > 50.0F ? 1.0F : 0.0F);
-  albedo = mix(albedo, linear(182, 122, 108), 0.35F * socket);
+  albedo = mix(albedo, linear(materials.sockets), 0.35F * socket);
 
   const float dark = clamp01(darkness);
-  albedo = mix(albedo, linear(70, 24, 20), dark);
+  albedo = mix(albedo, linear(materials.nostrils), dark);
   const float oily_nose = 0.05F * bell(rest.x, 10.0F) * (rest.z > 60.0F ? 1.0F : 0.0F);
   return {albedo,
           vec2{0.045F + oily_nose, 0.03F} * (1.0F - dark),
           rest.z > kBrowFront ? brow_coordinates(rest) : vec3{0.0F, kBrowReach, 1.0F}};
 }
 
-VertexPaint paint_tooth(vec3 rest, float towards_gum) {
-  const vec3 enamel = linear(242, 236, 220) * (1.0F - 0.12F * solid_noise(rest * 0.6F));
+VertexPaint paint_tooth(vec3 rest, float towards_gum, const Materials& materials) {
+  const vec3 enamel =
+      linear(materials.enamel) * (1.0F - materials.texture * 0.12F * solid_noise(rest * 0.6F));
   const float neck = glm::smoothstep(0.55F, 1.0F, towards_gum);
-  return {mix(enamel, linear(214, 190, 150), 0.6F * neck), {0.12F, 0.22F}, {}};
+  return {mix(enamel, linear(materials.teeth_necks), 0.6F * neck), {0.12F, 0.22F}, {}};
 }
 
-VertexPaint paint_gum(vec3 rest) {
-  const float mottling = 1.0F + 0.2F * (solid_noise(rest * 0.5F) - 0.5F);
-  return {linear(188, 102, 98) * mottling, {0.06F, 0.12F}, {}};
+VertexPaint paint_gum(vec3 rest, const Colour& colour, float texture) {
+  const float mottling = 1.0F + texture * 0.2F * (solid_noise(rest * 0.5F) - 0.5F);
+  return {linear(colour) * mottling, {0.06F, 0.12F}, {}};
 }
 
-VertexPaint paint_tongue(vec3 rest) {
-  const float mottling = 1.0F + 0.2F * (cloudy_noise(rest * 0.35F) - 0.44F);
-  return {linear(214, 124, 118) * mottling, {0.05F, 0.10F}, {}};
+VertexPaint paint_tongue(vec3 rest, const Materials& materials) {
+  const float mottling = 1.0F + materials.texture * 0.2F * (cloudy_noise(rest * 0.35F) - 0.44F);
+  return {linear(materials.tongue) * mottling, {0.05F, 0.10F}, {}};
 }
 
-VertexPaint paint_vertex(const SurfaceDescription& surface, std::size_t vertex) {
+VertexPaint paint_vertex(const SurfaceDescription& surface,
+                         const Materials& materials,
+                         std::size_t vertex) {
   const vec3 rest = surface.rest_positions[vertex];
   const float special = surface.special.empty() ? 0.0F : surface.special[vertex];
   switch (surface.material) {
     case Material::Skin:
-      return paint_skin(rest, special);
+      return paint_skin(rest, special, materials);
     case Material::Tooth:
-      return paint_tooth(rest, special);
+      return paint_tooth(rest, special, materials);
     case Material::Gum:
-      return paint_gum(rest);
+      return paint_gum(
+          rest, is_palate(surface) ? materials.palate : materials.gums, materials.texture);
     case Material::Tongue:
-      return paint_tongue(rest);
+      return paint_tongue(rest, materials);
     case Material::Lash:
-      return {linear(38, 28, 24), {0.02F, 0.0F}, {}};
+      return {linear(materials.lashes), {0.02F, 0.0F}, {}};
     case Material::Eye:
     case Material::Cornea:
       break;  // painted per pixel
@@ -151,11 +154,15 @@ bool on_brow(glm::vec3 brow) {
   return std::abs(brow.y) < kBrowReach && brow.x > -kBeyond && brow.x < 1.0F + kBeyond;
 }
 
-std::vector<VertexPaint> paint(const SurfaceDescription& surface) {
+bool is_palate(const SurfaceDescription& surface) {
+  return surface.name.find("palate") != std::string::npos;
+}
+
+std::vector<VertexPaint> paint(const SurfaceDescription& surface, const Materials& materials) {
   std::vector<VertexPaint> painted;
   painted.reserve(surface.rest_positions.size());
   for (std::size_t i = 0; i < surface.rest_positions.size(); ++i) {
-    painted.push_back(paint_vertex(surface, i));
+    painted.push_back(paint_vertex(surface, materials, i));
   }
   return painted;
 }

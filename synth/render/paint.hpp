@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "synth/face/surface.hpp"
+#include "synth/render/materials.hpp"
 
 namespace bimodal::synth {
 
@@ -20,7 +21,11 @@ struct VertexPaint {
 };
 
 /// One for each vertex of `surface`. Colours are fixed functions of the rest position.
-[[nodiscard]] std::vector<VertexPaint> paint(const SurfaceDescription& surface);
+[[nodiscard]] std::vector<VertexPaint> paint(const SurfaceDescription& surface,
+                                             const Materials& materials);
+
+/// Whether a surface of gum is the roof of the mouth.
+[[nodiscard]] bool is_palate(const SurfaceDescription& surface);
 
 /// Whether hair of the brow can stand at VertexPaint::brow.
 [[nodiscard]] bool on_brow(glm::vec3 brow);

@@ -26,7 +26,7 @@ PictureTarget::PictureTarget(std::size_t width, std::size_t height)
   glGenFramebuffers(1, &framebuffer_);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   attach(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, raw_);
-  attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, raw_);
+  attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, raw_);
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) return;
   throw Error{fmt::format(
@@ -41,7 +41,7 @@ void PictureTarget::begin() const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glViewport(0, 0, static_cast<GLsizei>(raw_.width), static_cast<GLsizei>(raw_.height));
   glEnable(GL_FRAMEBUFFER_SRGB);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 void PictureTarget::read_into(Image& image) {

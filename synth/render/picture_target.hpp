@@ -7,8 +7,8 @@
 
 namespace bimodal::synth {
 
-/// Where a picture is drawn: sRGB colour and depth. Lives as long as the context that is current at
-/// construction.
+/// Where a picture is drawn: sRGB colour, depth and stencil. Lives as long as the context that is
+/// current at construction.
 class PictureTarget {
  public:
   /// Throws Error if OpenGL cannot draw pictures of that size.

@@ -34,9 +34,11 @@ std::string log_of(GLuint object, Parameter parameter_of, Log log_into) {
 
 GLuint compile(GLenum stage,
                std::initializer_list<std::string_view> files,
-               std::string_view definition) {
+               std::string_view definition,
+               std::string_view preamble) {
   std::string text = "#version 330 core\n";
   if (!definition.empty()) text += fmt::format("#define {} 1\n", definition);
+  text += preamble;
   std::string legend;
   int number = 1;
   for (const std::string_view file : files) {
@@ -61,8 +63,9 @@ GLuint compile(GLenum stage,
 }  // namespace
 
 Program::Program(const ShaderSource& source) : name_{glCreateProgram()} {
-  for (const GLuint shader : {compile(GL_VERTEX_SHADER, source.vertex, ""),
-                              compile(GL_FRAGMENT_SHADER, source.fragment, source.definition)}) {
+  for (const GLuint shader :
+       {compile(GL_VERTEX_SHADER, source.vertex, "", source.preamble),
+        compile(GL_FRAGMENT_SHADER, source.fragment, source.definition, source.preamble)}) {
     glAttachShader(name_, shader);
     glDeleteShader(shader);  // the program keeps it
   }
@@ -81,6 +84,10 @@ void Program::set(const char* uniform, float value) const {
 
 void Program::set(const char* uniform, const glm::vec3& value) const {
   glUniform3fv(glGetUniformLocation(name_, uniform), 1, glm::value_ptr(value));
+}
+
+void Program::set(const char* uniform, const glm::vec4& value) const {
+  glUniform4fv(glGetUniformLocation(name_, uniform), 1, glm::value_ptr(value));
 }
 
 void Program::set(const char* uniform, const glm::mat3& value) const {

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace bimodal::synth {
 
@@ -16,6 +17,7 @@ struct ShaderSource {
   std::initializer_list<std::string_view> vertex;
   std::initializer_list<std::string_view> fragment;
   std::string_view definition = "";  ///< what is #defined in the fragment stage; may be empty
+  std::string_view preamble = "";    ///< GLSL before the files of both stages
 };
 
 /// A compiled OpenGL program; it lives as long as the context that is current at construction.
@@ -29,6 +31,7 @@ class Program {
   /// For the program in use. A uniform that the compiler left out is ignored.
   void set(const char* uniform, float value) const;
   void set(const char* uniform, const glm::vec3& value) const;
+  void set(const char* uniform, const glm::vec4& value) const;
   void set(const char* uniform, const glm::mat3& value) const;
   void set(const char* uniform, const glm::mat4& value) const;
 

@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/color_space.hpp>
 
 #include "stimuli/base/error.hpp"
 #include "synth/render/camera.hpp"
-#include "synth/render/lights.hpp"
+#include "synth/render/cut_faces.hpp"
+#include "synth/render/light_points.hpp"
 #include "synth/render/mesh_buffers.hpp"
 #include "synth/render/occlusion.hpp"
 #include "synth/render/paint.hpp"
+#include "synth/render/part_programs.hpp"
 #include "synth/render/picture_target.hpp"
 #include "synth/render/shader.hpp"
 
@@ -22,22 +26,12 @@ namespace bimodal::synth {
 
 namespace {
 
-std::vector<std::vector<VertexPaint>> paint_all(std::span<const SurfaceDescription> surfaces) {
+std::vector<std::vector<VertexPaint>> paint_all(std::span<const SurfaceDescription> surfaces,
+                                                const Materials& materials) {
   std::vector<std::vector<VertexPaint>> paints;
-  std::array<PartTriangles, kHeadPartCount> triangles;
   paints.reserve(surfaces.size());
-  std::ranges::transform(surfaces, std::back_inserter(paints), paint);
+  for (const SurfaceDescription& surface : surfaces) paints.push_back(paint(surface, materials));
   return paints;
-}
-
-std::vector<Program> compile_parts() {
-  std::vector<Program> programs;
-  programs.reserve(kHeadPartCount);
-  for (const PartLook& look : part_looks()) {
-    programs.emplace_back(
-        ShaderSource{{"head.vert"}, {"noise.glsl", "surface.glsl", look.shader}, look.definition});
-  }
-  return programs;
 }
 
 glm::vec3 linear(const Colour& colour) {
@@ -105,91 +99,160 @@ void check_for_errors(const char* deed) {
 }  // namespace
 
 struct SurfaceRenderer::Stage {
-  Stage(std::span<const SurfaceDescription> surfaces, const PosedHead& resting, const View& view);
+  Stage(std::span<const SurfaceDescription> surfaces,
+        const PosedHead& resting,
+        const View& view,
+        const Appearance& wanted);
 
-  void draw_head(const PosedHead& posed, const glm::mat3& head_axes) const;
+  void draw_head(const PosedHead& posed, const glm::mat3& head_axes);
 
-  std::vector<std::vector<VertexPaint>> paints;
-  std::array<PartTriangles, kHeadPartCount> triangles;
-  MeshBuffers mesh;
-  std::vector<Program> programs;  // one per HeadPart
-  Program backdrop;
+ private:
+  using Parts = std::initializer_list<HeadPart>;
+  static constexpr Parts kOuterSkin{
+      HeadPart::Skin, HeadPart::Ear, HeadPart::Lips, HeadPart::Brow, HeadPart::Hair};
+  static constexpr Parts kMouth{HeadPart::UpperTooth,
+                                HeadPart::LowerTooth,
+                                HeadPart::Gum,
+                                HeadPart::Palate,
+                                HeadPart::Tongue};
+
+  void draw_parts(Parts parts) const;
+  void draw_opaque(bool mouth_is_open) const;
+  void draw_skin_over_the_rest() const;
+  void draw_backdrop() const;
+  void draw_clear_parts() const;
+
+  Appearance appearance_;
+  std::vector<std::vector<VertexPaint>> paints_;
+  std::array<PartTriangles, kHeadPartCount> triangles_;
+  MeshBuffers mesh_;
+  PartPrograms programs_;
+  Program backdrop_;
+  std::optional<CutFaces> cut_faces_;
+  std::optional<LightPoints> points_;
+  MeshBuffers::Side side_ = MeshBuffers::Side::Both;
+
+ public:
   PictureTarget target;
 };
 
 SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
                               const PosedHead& resting,
-                              const View& view)
-    : paints{paint_all(surfaces)},
-      triangles{sort_by_part(surfaces, paints, resting, towards_camera(view))},
-      mesh{surfaces, triangles},
-      programs{compile_parts()},
-      backdrop{ShaderSource{{"backdrop.vert"}, {"backdrop.frag"}}},
+                              const View& view,
+                              const Appearance& wanted)
+    : appearance_{wanted},
+      paints_{paint_all(surfaces, wanted.materials)},
+      triangles_{sort_by_part(surfaces, paints_, resting, towards_camera(view))},
+      mesh_{surfaces, triangles_},
+      programs_{wanted, camera_for(view)},
+      backdrop_{ShaderSource{{"backdrop.vert"}, {"backdrop.frag"}}},
       target{view.width, view.height} {
+  const Materials& materials = wanted.materials;
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_CULL_FACE);
-  mesh.move_to(resting);
-  const std::vector<Exposure> exposures = exposure_at_rest(resting, mesh, triangles);
-  mesh.fix(fixed_vertices(surfaces, paints, exposures));
+  mesh_.move_to(resting);
+  const std::vector<Exposure> exposures = exposure_at_rest(resting, mesh_, triangles_, materials);
+  mesh_.fix(fixed_vertices(surfaces, paints_, exposures));
 
   const Camera camera = camera_for(view);
-  for (const PartLook& look : part_looks()) {
-    const Program& program = programs.at(static_cast<std::size_t>(look.part));
-    program.use();
-    program.set("clip_from_world", camera.clip_from_world);
-    program.set("camera", camera.position);
-    program.set("key_direction", kKeyDirection);
-    program.set("fill_direction", kFillDirection);
-    program.set("sky_floor", look.sky_floor);
-    program.set("shadow_floor", look.shadow_floor);
-    program.set("softness", look.softness);
-    program.set("exponent", look.exponent);
-    program.set("grain", look.grain);
+  if (wanted.cut) {
+    cut_faces_.emplace(surfaces, *wanted.cut, materials, wanted.shown, camera.clip_from_world);
   }
-  backdrop.use();
-  backdrop.set("centre_colour", linear(view.backdrop.centre));
-  backdrop.set("edge_colour", linear(view.backdrop.edge));
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  if (wanted.points != Points::None) points_.emplace(surfaces, wanted, view, camera);
+  const Backdrop backdrop = view.backdrop.value_or(materials.backdrop);
+  backdrop_.use();
+  backdrop_.set("centre_colour", linear(backdrop.centre));
+  backdrop_.set("edge_colour", linear(backdrop.edge));
   check_for_errors("prepare the head for drawing");
 }
 
-void SurfaceRenderer::Stage::draw_head(const PosedHead& posed, const glm::mat3& head_axes) const {
-  const LipMeasures& lips = posed.lips;
-  const glm::vec3 opening{
-      0.5 * lips.inner_width_mm, 0.5 * lips.inner_height_mm, lips.inner_area_mm2};
-  const auto side = looks_ahead(head_axes) ? MeshBuffers::Side::Near : MeshBuffers::Side::Both;
-  const auto draw_part = [&](HeadPart part) {
-    const Program& program = programs.at(static_cast<std::size_t>(part));
-    program.use();
-    program.set("head_axes", head_axes);
-    program.set("mouth_centre", lips.inner_centre);
-    program.set("mouth_opening", opening);
-    mesh.draw(part, side);
-  };
-  using enum HeadPart;
-  mesh.move_to(posed);
-  glFrontFace(GL_CW);  // the camera's y axis points down
-  for (const HeadPart part : {Skin, Lips, Brow, Hair, Eye}) draw_part(part);
-  if (lips.inner_area_mm2 > 0.0) {
-    for (const HeadPart part : {MouthWall, Tooth, Gum, Tongue}) draw_part(part);
+void SurfaceRenderer::Stage::draw_parts(Parts parts) const {
+  for (const HeadPart part : parts) {
+    if (!programs_.draws(part)) continue;
+    programs_.use(part);
+    mesh_.draw(part, side_);
   }
-  glDisable(GL_CULL_FACE);
-  backdrop.use();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void SurfaceRenderer::Stage::draw_opaque(bool mouth_is_open) const {
+  draw_parts(kOuterSkin);
+  draw_parts({HeadPart::Eye});
+  if (mouth_is_open) {
+    draw_parts({HeadPart::MouthWall});
+    draw_parts(kMouth);
+  }
+}
+
+/// The skin's nearest layer alone is mixed with what stands behind it, which must be drawn already:
+/// first only its depth is drawn, then the colour of what is as near as that. So no order of the
+/// triangles matters, and the far cheek and the inner side of the near one do not cloud the mouth.
+void SurfaceRenderer::Stage::draw_skin_over_the_rest() const {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw_parts(kOuterSkin);
+  draw_parts({HeadPart::MouthWall});
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glEnable(GL_BLEND);
-  draw_part(Lash);
-  glEnable(GL_CULL_FACE);
-  draw_part(Cornea);
+  glBlendColor(0.0F, 0.0F, 0.0F, static_cast<float>(1.0 - appearance_.skin_transparency));
+  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+  draw_parts(kOuterSkin);
+  draw_parts({HeadPart::MouthWall});
   glDisable(GL_BLEND);
+}
+
+void SurfaceRenderer::Stage::draw_backdrop() const {
+  glDisable(GL_CULL_FACE);
+  backdrop_.use();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEnable(GL_CULL_FACE);
+}
+
+void SurfaceRenderer::Stage::draw_clear_parts() const {
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDisable(GL_CULL_FACE);
+  draw_parts({HeadPart::Lash});
+  glEnable(GL_CULL_FACE);
+  draw_parts({HeadPart::Cornea});
+  glDisable(GL_BLEND);
+}
+
+void SurfaceRenderer::Stage::draw_head(const PosedHead& posed, const glm::mat3& head_axes) {
+  mesh_.move_to(posed);
+  programs_.follow(posed.lips, head_axes);
+  side_ = looks_ahead(head_axes) ? MeshBuffers::Side::Near : MeshBuffers::Side::Both;
+  const bool mouth_is_open = posed.lips.inner_area_mm2 > 0.0 || shows_inside(appearance_);
+  glFrontFace(GL_CW);  // the camera's y axis points down
+  if (appearance_.cut) glEnable(GL_CLIP_DISTANCE0);
+  if (points_) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_opaque(mouth_is_open);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    draw_backdrop();
+    points_->draw(posed);
+  } else if (appearance_.skin_transparency > 0.0) {
+    draw_parts(kMouth);
+    draw_backdrop();
+    if (cut_faces_) cut_faces_->draw(posed);
+    draw_skin_over_the_rest();
+    draw_parts({HeadPart::Eye});  // between the lids only: eyeballs behind skin distract
+    draw_clear_parts();
+  } else {
+    draw_opaque(mouth_is_open);
+    draw_backdrop();
+    if (cut_faces_) cut_faces_->draw(posed);
+    draw_clear_parts();
+  }
+  glDisable(GL_CLIP_DISTANCE0);
   glFrontFace(GL_CCW);
 }
 
 SurfaceRenderer::SurfaceRenderer(std::span<const SurfaceDescription> surfaces,
                                  const PosedHead& resting,
-                                 const View& view) {
+                                 const View& view,
+                                 const Appearance& appearance) {
   const EglContext::Current current{context_};
-  stage_ = std::make_unique<Stage>(surfaces, resting, view);
+  stage_ = std::make_unique<Stage>(surfaces, resting, view, appearance);
 }
 
 SurfaceRenderer::~SurfaceRenderer() = default;

@@ -8,6 +8,7 @@
 
 #include "stimuli/picture/image.hpp"
 #include "synth/face/surface.hpp"
+#include "synth/render/appearance.hpp"
 #include "synth/render/egl_context.hpp"
 #include "synth/render/view.hpp"
 
@@ -21,7 +22,8 @@ class SurfaceRenderer {
   /// Throws Error if OpenGL cannot be had.
   SurfaceRenderer(std::span<const SurfaceDescription> surfaces,
                   const PosedHead& resting,
-                  const View& view);
+                  const View& view,
+                  const Appearance& appearance = {});
   ~SurfaceRenderer();
   SurfaceRenderer(const SurfaceRenderer&) = delete;
   SurfaceRenderer& operator=(const SurfaceRenderer&) = delete;

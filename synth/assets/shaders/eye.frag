@@ -8,27 +8,27 @@ const float kCornerFiller = -5.0;   // rest z of the white behind the lids' corn
 const float kCaruncle = -0.5;
 
 vec3 sclera(vec3 rest, vec3 direction, float angle) {
-  vec3 pink = srgb(222.0, 160.0, 148.0);
-  vec3 white = srgb(222.0, 212.0, 204.0);
+  vec3 pink = linear(kEyeFlesh);
+  vec3 white = linear(kEyeWhite);
   if (rest.z < kCornerFiller) {
-    white = mix(srgb(232.0, 224.0, 216.0), pink, smoothstep(0.55, 0.92, -rest.x));
+    white = mix(linear(kEyeCorners), pink, smoothstep(0.55, 0.92, -rest.x));
   } else if (rest.z < kCaruncle) {
     white = pink;
   }
   float veins = 0.5 * noise(direction * vec3(14.0, 14.0, 6.0)) +
                 0.25 * noise(direction * vec3(28.0, 28.0, 12.0));
-  return mix(white, srgb(214.0, 150.0, 138.0), 0.5 * smoothstep(25.0, 75.0, angle) * veins);
+  return mix(white, linear(kEyeVeins), kTexture * 0.5 * smoothstep(25.0, 75.0, angle) * veins);
 }
 
 vec3 iris(vec3 direction, float angle) {
   float round = atan(direction.y, direction.x);
   float coarse = noise(vec2(round * 9.0, angle * 0.10), 1);
   float fine = noise(vec2(round * 22.0, angle * 0.22), 4);
-  vec3 ring = mix(srgb(74.0, 104.0, 116.0), srgb(138.0, 160.0, 160.0),
+  vec3 ring = mix(linear(kIrisDark), linear(kIrisLight),
                   clamp(0.10 + 0.75 * (0.6 * coarse + 0.55 * fine), 0.0, 1.0));
-  ring = mix(ring, srgb(148.0, 116.0, 70.0), 0.55 * (1.0 - smoothstep(11.0, 19.0, angle + 3.0 * fine)));
-  ring = mix(ring, srgb(28.0, 36.0, 44.0), 0.85 * smoothstep(24.0, 29.5, angle));
-  return ring * (0.75 + 0.6 * clamp(0.2 - 1.2 * direction.y, 0.0, 1.0));
+  ring = mix(ring, linear(kIrisMiddle), 0.55 * (1.0 - smoothstep(11.0, 19.0, angle + 3.0 * fine)));
+  ring = mix(ring, linear(kIrisEdge), 0.85 * smoothstep(24.0, 29.5, angle));
+  return ring * (kTexture * (0.75 + 0.6 * clamp(0.2 - 1.2 * direction.y, 0.0, 1.0)) + (1.0 - kTexture));
 }
 
 void main() {
@@ -36,7 +36,7 @@ void main() {
   float angle = degrees(acos(clamp(direction.z, -1.0, 1.0)));
   vec3 albedo = mix(iris(direction, angle), sclera(v_rest, direction, angle),
                     smoothstep(kIris - 1.3, kIris + 1.3, angle));
-  albedo = mix(srgb(8.0, 7.0, 8.0), albedo, smoothstep(kPupil - 1.0, kPupil + 1.0, angle));
+  albedo = mix(linear(kPupilColour), albedo, smoothstep(kPupil - 1.0, kPupil + 1.0, angle));
   albedo *= 1.0 - 0.45 * smoothstep(0.10, 0.40, direction.y);   // shadow of the upper lid
-  colour = vec4(lit(albedo, normalize(v_normal), vec2(0.0), 16.0), 1.0);
+  colour = vec4(lit(albedo, surface_normal(), vec2(0.0), 16.0), 1.0);
 }

@@ -22,25 +22,26 @@ uniform vec3 mouth_opening;   // half width, half height (mm), area (mm2)
 
 uniform float sky_floor;      // light that reaches a translucent part in spite of what covers it
 uniform float shadow_floor;
-uniform float softness;       // 1 skin, 0 hard: how far light creeps round the form
+#ifdef CUT
+uniform vec4 cut;             // the plane's unit normal, minus its distance from the origin
+#endif
 
 out vec3 v_position;
 out vec3 v_normal;
 out vec3 v_rest;
 out vec3 v_albedo;
-out vec3 v_around;            // light from everywhere but the key light
-out vec3 v_key;               // colour of the key light that arrives here
+BY_VERTEX out vec3 v_around;  // light from everywhere but the key light
+BY_VERTEX out vec3 v_key;     // colour of the key light that arrives here
 out vec2 v_gloss;
 out vec4 v_masks;
 out vec3 v_brow;
-out vec3 v_half;              // between the key light and the camera
-out float v_sheen;            // highlights that are broad enough for the vertices
+BY_VERTEX out vec3 v_half;    // between the key light and the camera
+BY_VERTEX out float v_sheen;  // highlights that are broad enough for the vertices
+#ifdef GOURAUD
+out vec3 v_scattered;
+out float v_highlight;
+#endif
 
-const vec3 kKeyColour = vec3(2.15, 2.03, 1.90);
-const vec3 kFillColour = vec3(0.68, 0.64, 0.62);   // warm: a blue fill makes hollows look dirty
-const vec3 kRimColour = vec3(0.55, 0.60, 0.70);
-const vec3 kSkyColour = vec3(0.72, 0.69, 0.67);
-const vec3 kGroundColour = vec3(0.27, 0.20, 0.17);
 const vec3 kRimLeft = vec3(0.666, 0.400, -0.622);
 const vec3 kRimRight = vec3(-0.724, 0.272, -0.634);
 const float kFillExponent = 16.0;
@@ -79,11 +80,13 @@ float wrapped(float cosine, float wrap) {
 
 void main() {
   float inside = baked.w;
-  float open = mix(baked.x, sky_through_lips(position, normal), inside);
+  float open = mix(baked.x, mix(sky_through_lips(position, normal), 1.0, kMouthLight), inside);
   open = mix(sky_floor, 1.0, open);
-  float key = mix(baked.y, light_through_lips(position, key_direction), inside);
+  float key = mix(baked.y, mix(light_through_lips(position, key_direction), 1.0, kMouthLight),
+                  inside);
   key = mix(shadow_floor, 1.0, key);
-  float fill = mix(baked.z, light_through_lips(position, fill_direction), inside);
+  float fill = mix(baked.z, mix(light_through_lips(position, fill_direction), 1.0, kMouthLight),
+                   inside);
 
   float cosine = dot(normal, fill_direction);
   vec3 filled = fill * vec3(wrapped(cosine, 0.30 * softness), wrapped(cosine, 0.20 * softness),
@@ -111,4 +114,12 @@ void main() {
   v_masks = masks;
   v_brow = brow;
   gl_Position = clip_from_world * vec4(position, 1.0);
+#ifdef GOURAUD
+  cosine = dot(normal, key_direction);
+  v_scattered = scattered(cosine, v_around, v_key);
+  v_highlight = highlight(cosine, dot(normal, v_half), gloss, exponent, v_key.g);
+#endif
+#ifdef CUT
+  gl_ClipDistance[0] = -dot(cut, vec4(position, 1.0));
+#endif
 }

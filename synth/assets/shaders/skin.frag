@@ -1,4 +1,5 @@
-// Skin, with one of LIPS, BROW, HAIR where the triangle has some of it.
+// Skin, with one of LIPS, BROW, HAIR where the triangle has some of it. ALONE: these are all that is
+// drawn, without the skin between and around them.
 
 const float kSkinExponent = 16.0;
 
@@ -8,13 +9,15 @@ const float kLipExponent = 26.0;
 // Returns the exponent of the highlight.
 float lips(inout vec3 albedo, inout vec2 gloss) {
   float lip = v_masks.x;
-  float creases = noise(vec2(v_rest.x * 1.15, v_rest.y * 0.16), 3) - 0.5;
+  float creases = kTexture * (noise(vec2(v_rest.x * 1.15, v_rest.y * 0.16), 3) - 0.5);
   float border = smoothstep(0.33, 0.62, lip + 0.1 * creases * (1.0 - min(lip, 1.0)));
-  vec3 vermilion = mix(srgb(196.0, 120.0, 110.0), srgb(166.0, 82.0, 77.0),
-                       smoothstep(0.9, 1.6, lip));
+#ifdef ALONE
+  if (border < 0.5) discard;
+#endif
+  vec3 vermilion = mix(linear(kLipsOuter), linear(kLipsInner), smoothstep(0.9, 1.6, lip));
   albedo = mix(albedo, vermilion * (1.0 + 0.22 * creases), 0.86 * border);
-  albedo = mix(albedo, srgb(164.0, 74.0, 72.0), 0.9 * smoothstep(1.6, 2.4, lip));
-  albedo = mix(albedo, srgb(134.0, 58.0, 56.0), smoothstep(0.05, 0.6, v_masks.y));
+  albedo = mix(albedo, linear(kLipsInside), 0.9 * smoothstep(1.6, 2.4, lip));
+  albedo = mix(albedo, linear(kMouthWalls), smoothstep(0.05, 0.6, v_masks.y));
   gloss += vec2(0.05, 0.04) * border;
   return mix(kSkinExponent, kLipExponent, border);
 }
@@ -35,7 +38,10 @@ void brow(inout vec3 albedo, inout vec2 gloss) {
   density *= smoothstep(0.0, 0.12, along + 0.06 * (hairs - 0.4)) *
              (1.0 - 0.55 * smoothstep(0.85, 1.0, along)) * (1.0 - smoothstep(1.0, 1.04, along));
   float cover = clamp(density * (0.42 + 1.2 * smoothstep(0.25, 0.72, hairs)), 0.0, 1.0);
-  albedo = mix(albedo, srgb(62.0, 43.0, 33.0), 0.92 * cover);
+#ifdef ALONE
+  if (cover < 0.3) discard;
+#endif
+  albedo = mix(albedo, linear(kBrows), 0.92 * cover);
   gloss *= 1.0 - cover;
 }
 #endif
@@ -46,7 +52,10 @@ void hair(inout vec3 albedo, inout vec2 gloss) {
   vec3 strand = v_rest * vec3(1.7, 0.42, 0.8);
   float strands = 0.5 * noise(strand) + 0.25 * noise(strand * 2.03) + 0.11;
   float cover = smoothstep(0.22, 0.78, v_masks.z + 0.42 * (strands - 0.45));
-  albedo = mix(albedo, srgb(66.0, 47.0, 36.0) * (0.45 + 1.1 * strands), 0.95 * cover);
+#ifdef ALONE
+  if (cover < 0.5) discard;
+#endif
+  albedo = mix(albedo, linear(kHair) * (kTexture * (0.45 + 1.1 * strands) + (1.0 - kTexture)), 0.95 * cover);
   gloss *= 1.0 - vec2(0.6, 1.0) * cover;
 }
 #endif
@@ -54,9 +63,9 @@ void hair(inout vec3 albedo, inout vec2 gloss) {
 void main() {
   vec3 albedo = v_albedo;
   vec2 gloss = v_gloss;
-  float exponent = kSkinExponent;
+  float width = kSkinExponent;
 #ifdef LIPS
-  exponent = lips(albedo, gloss);
+  width = lips(albedo, gloss);
 #endif
 #ifdef BROW
   brow(albedo, gloss);
@@ -64,5 +73,5 @@ void main() {
 #ifdef HAIR
   hair(albedo, gloss);
 #endif
-  colour = vec4(lit(albedo, normalize(v_normal), gloss, exponent), 1.0);
+  colour = vec4(lit(albedo, surface_normal(), gloss, width), 1.0);
 }

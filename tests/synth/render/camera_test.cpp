@@ -48,5 +48,34 @@ TEST(Camera, WithPositivePitchLooksFromAbove) {
   EXPECT_LT(drawn_at(camera, {0.0F, 60.0F, 0.0F}).z, drawn_at(camera, {0.0F, -90.0F, 0.0F}).z);
 }
 
+TEST(Camera, MayStandNearerOrFarther) {
+  View view;
+  view.distance_mm = 500.0;
+  const Camera camera = camera_for(view);
+  EXPECT_NEAR(drawn_at(camera, {0.0F, 105.0F, kHeadCentreZ}).y, -1.0F, 1e-4F);
+  EXPECT_LT(drawn_at(camera, {0.0F, 105.0F, 100.0F}).y, -1.1F) << "no stronger perspective";
+}
+
+TEST(Camera, OrthographicDrawsTheNearAsLargeAsTheFar) {
+  View view;
+  view.projection = Projection::Orthographic;
+  const Camera camera = camera_for(view);
+  for (const float z : {-90.0F, 12.0F, 110.0F}) {
+    EXPECT_NEAR(drawn_at(camera, {0.0F, 105.0F, z}).y, -1.0F, 1e-4F);
+  }
+  EXPECT_LT(drawn_at(camera, {0.0F, 0.0F, 100.0F}).z, drawn_at(camera, {0.0F, 0.0F, 0.0F}).z);
+}
+
+TEST(Camera, LooksAtTheAskedCentre) {
+  View view;
+  view.centre_x_mm = 10.0;
+  view.centre_y_mm = -80.0;
+  view.centre_z_mm = 60.0;
+  view.yaw_deg = 70.0;
+  const glm::vec3 drawn = drawn_at(camera_for(view), {10.0F, -80.0F, 60.0F});
+  EXPECT_NEAR(drawn.x, 0.0F, 1e-5F);
+  EXPECT_NEAR(drawn.y, 0.0F, 1e-5F);
+}
+
 }  // namespace
 }  // namespace bimodal::synth

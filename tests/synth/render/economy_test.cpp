@@ -47,7 +47,7 @@ TEST(Economy, DrawsTheWholeHeadWithLessThanHalfOfItsTrianglesAndWithoutAGap) {
   for (std::size_t s = 0; s < head.surfaces().size(); ++s) {
     const SurfaceDescription& surface = head.surfaces()[s];
     const auto drawn =
-        triangles_worth_drawing(surface, paint(surface), resting.surfaces[s].normals);
+        triangles_worth_drawing(surface, paint(surface, Materials{}), resting.surfaces[s].normals);
     before += surface.triangles.size();
     after += drawn.size();
 
@@ -71,7 +71,8 @@ TEST(Economy, KeepsTrianglesThatSubdivisionDidNotMake) {
   surface.triangles = {0, 1, 2, 2, 1, 3};
   surface.rest_positions.resize(4);
   const std::vector<glm::vec3> normals(4, glm::vec3{0.0F, 0.0F, 1.0F});
-  EXPECT_EQ(triangles_worth_drawing(surface, paint(surface), normals), surface.triangles);
+  EXPECT_EQ(triangles_worth_drawing(surface, paint(surface, Materials{}), normals),
+            surface.triangles);
 }
 
 }  // namespace
