@@ -14,7 +14,8 @@ struct Image {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Overwrites `file`. Throws Error, naming it, if it cannot be written or does not end with ".png".
+/// Overwrites `file`, which is never half there. Throws Error, naming it, if it cannot be written
+/// or does not end with ".png".
 void write_png(const Image& image, const std::filesystem::path& file);
 
 /// Any PNG without transparency, converted to 8-bit sRGB. Throws Error, naming `file`, if it is

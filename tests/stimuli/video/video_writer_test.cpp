@@ -28,15 +28,15 @@ Image numbered(std::size_t frame) {
   return blank_image(64, 48, {level, 128, static_cast<std::uint8_t>(230 - 5 * frame)});
 }
 
-void write_numbered(const std::filesystem::path& file, std::size_t frames, Hertz rate) {
-  VideoWriter writer{file, 64, 48, rate};
+void write_numbered(const std::filesystem::path& file, std::size_t frames, FrameRate rate) {
+  VideoWriter writer{file, {.width = 64, .height = 48, .rate = rate}};
   for (std::size_t frame = 0; frame < frames; ++frame) writer.add(numbered(frame));
   writer.finish();
 }
 
 TEST(VideoWriter, WritesFramesThatReadBackInOrderTimeAndColour) {
   const auto file = in_temp("bimodal_written.mp4");
-  write_numbered(file, 30, Hertz{60});
+  write_numbered(file, 30, FrameRate{60});
   FrameReader reader{file, {}};
   std::size_t count = 0;
   while (const auto frame = reader.next()) {
@@ -54,8 +54,8 @@ TEST(VideoWriter, WritesFramesThatReadBackInOrderTimeAndColour) {
 }
 
 TEST(VideoWriter, GivesTheSameBytesForTheSamePictures) {
-  write_numbered(in_temp("bimodal_one.mp4"), 12, Hertz{59.94});
-  write_numbered(in_temp("bimodal_two.mp4"), 12, Hertz{59.94});
+  write_numbered(in_temp("bimodal_one.mp4"), 12, FrameRate{60000, 1001});
+  write_numbered(in_temp("bimodal_two.mp4"), 12, FrameRate{60000, 1001});
   EXPECT_EQ(read_file(in_temp("bimodal_one.mp4")), read_file(in_temp("bimodal_two.mp4")));
 }
 
@@ -63,7 +63,7 @@ TEST(VideoWriter, LeavesNothingWhereItWasNotFinished) {
   const auto file = in_temp("bimodal_unfinished.mp4");
   std::filesystem::remove(file);
   {
-    VideoWriter writer{file, 64, 48, Hertz{60}};
+    VideoWriter writer{file, {.width = 64, .height = 48}};
     writer.add(numbered(0));
   }
   EXPECT_FALSE(std::filesystem::exists(file));
@@ -71,7 +71,7 @@ TEST(VideoWriter, LeavesNothingWhereItWasNotFinished) {
 
 TEST(VideoWriter, RefusesWhatItCannotWrite) {
   const auto open = [](const std::filesystem::path& file, std::size_t width) {
-    return message_of([&] { VideoWriter{file, width, 48, Hertz{60}}; });
+    return message_of([&] { VideoWriter{file, {.width = width, .height = 48}}; });
   };
   EXPECT_THAT(open(in_temp("x.avi"), 64), HasSubstr(".mp4"));
   EXPECT_THAT(open(in_temp("x.mp4"), 63), HasSubstr("63 x 48"));
