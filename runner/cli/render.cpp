@@ -17,6 +17,7 @@
 #include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/obstacle.hpp"
 #include "stimuli/base/whole_number.hpp"
 
 namespace bimodal::runner {
@@ -48,6 +49,15 @@ std::string size_fault(const std::string& text) {
     return {};
   }
   return "'" + text + "' is no size; give even numbers of pixels from 32 to 4096, e.g. 640x720";
+}
+
+/// A text that stands behind --audio is taken for its file.
+std::string audio_fault(const std::string& text) {
+  if (text == kVoice) return {};
+  const auto why = obstacle(text);
+  return why ? "'" + text + "': " + *why +
+                   "; give a WAV or FLAC file, or --audio last for the voice"
+             : std::string{};
 }
 
 std::string rate_fault(const std::string& text) {
@@ -180,6 +190,7 @@ void add_render(CLI::App& app, Verb& chosen) {
                    "begins with the face")
       ->expected(0, 1)
       ->default_str(kVoice)
+      ->check(CLI::Validator{[](std::string& text) { return audio_fault(text); }, ""})
       ->type_name("[FILE]");
   verb->add_option("--at", options->at_ms, "instant in ms of the one picture in a .png")
       ->check(finite_number());

@@ -9,6 +9,7 @@
 
 #include "stimuli/video/container_writer.hpp"
 #include "stimuli/video/picture_encoder.hpp"
+#include "stimuli/video/picture_queue.hpp"
 #include "stimuli/video/sound_encoder.hpp"
 
 namespace bimodal {
@@ -60,6 +61,7 @@ struct VideoWriter::Tracks {
   std::optional<libav::SoundEncoder> sound;
   FrameRate rate;
   std::int64_t count = 0;
+  std::optional<PictureQueue> queue;  ///< its thread encodes until it is finished
 
   Tracks(const std::filesystem::path& file, const VideoForm& form, const VideoOptions& options)
       : container{file, form.ending.substr(1)}, rate{options.rate} {
@@ -71,6 +73,13 @@ struct VideoWriter::Tracks {
           container, is_mp4 ? "aac" : "libopus", is_mp4 ? kAacBits : kOpusBits, *options.sound);
     }
     container.begin();
+    queue.emplace([this](const Image& picture) { encode(picture); });
+  }
+
+  void encode(const Image& picture) {
+    if (sound) sound->encode_until(rate.time_of(count));
+    pictures->add(picture);
+    ++count;
   }
 };
 
@@ -80,14 +89,12 @@ VideoWriter::VideoWriter(const std::filesystem::path& file, const VideoOptions& 
 VideoWriter::~VideoWriter() = default;
 
 void VideoWriter::add(const Image& picture) {
-  auto& tracks = *tracks_;
-  if (tracks.sound) tracks.sound->encode_until(tracks.rate.time_of(tracks.count));
-  tracks.pictures->add(picture);
-  ++tracks.count;
+  tracks_->queue->add(picture);
 }
 
 void VideoWriter::finish() {
   auto& tracks = *tracks_;
+  tracks.queue->finish();
   tracks.pictures->finish();
   if (tracks.sound) tracks.sound->finish();
   tracks.container.finish();

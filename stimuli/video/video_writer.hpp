@@ -20,7 +20,8 @@ struct VideoOptions {
 };
 
 /// Writes pictures, with sound if there is one, as a video (see video_forms()). Colours are BT.709,
-/// as the file says. The same pictures and sound give the same bytes.
+/// as the file says. The same pictures and sound give the same bytes. It encodes on a thread of its
+/// own, while the next picture is drawn.
 class VideoWriter {
  public:
   /// The video appears as `file` when finish() is done. Throws Error, naming the file, if its name
@@ -33,7 +34,8 @@ class VideoWriter {
   VideoWriter(VideoWriter&&) = delete;
   VideoWriter& operator=(VideoWriter&&) = delete;
 
-  /// Precondition: a picture of the video's size. Throws Error if it cannot be encoded or written.
+  /// Precondition: a picture of the video's size. Throws Error if it or an earlier one cannot be
+  /// encoded or written.
   void add(const Image& picture);
 
   /// Throws Error if the file cannot be completed. Nothing can be added afterwards.
