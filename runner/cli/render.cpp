@@ -131,6 +131,7 @@ SeenSpeech seen_speech(const RenderOptions& options, bool voiced) {
 }
 
 ExitCode render(const RenderOptions& options) {
+  stop_at_interrupt();
   const auto outputs = outputs_of(options);
   refuse_idle_options(options, outputs);
   for (const auto& output : outputs) require_place_for(output);
@@ -146,7 +147,6 @@ ExitCode render(const RenderOptions& options) {
       .rate = parse_frame_rate(options.fps).value(),
       .rate_factor = options.rate_factor,
       .instant = options.at_ms ? std::optional{Milliseconds{*options.at_ms}} : std::nullopt};
-  stop_at_interrupt();
   const synth::Head head{asset("synth/assets/head")};
   for (const auto& output : outputs) write_rendered(output, seen, sound, head, style);
   return ExitCode::Done;

@@ -13,6 +13,7 @@
 #include "stimuli/base/error.hpp"
 #include "stimuli/picture/drawing.hpp"
 #include "stimuli/picture/image.hpp"
+#include "stimuli/video/picture_queue.hpp"
 #include "stimuli/video/video_writer.hpp"
 #include "synth/render/head_renderer.hpp"
 
@@ -99,14 +100,19 @@ void write_frames(const RenderOutput& output,
                   synth::HeadRenderer& renderer,
                   const RenderStyle& style) {
   const auto frames = style.rate.frames_before(length_of(seen, nullptr));
-  Image picture;
+  std::int64_t written = 0;
+  PictureQueue writing{[&](const Image& picture) {
+    write_png(picture, output.frame_file(written++), Packing::Fast);
+  }};
   {
     const Progress progress{frames};
+    Image picture;
     for (std::int64_t frame = 0; frame < frames; ++frame) {
       progress.begin(frame, output.name);
       renderer.draw(seen.pose(style.rate.time_of(frame)), picture);
-      write_png(picture, output.frame_file(frame));
+      writing.add(picture);
     }
+    writing.finish();
   }
   fmt::print("{}: {}, {} a second\n",
              output.name,

@@ -128,8 +128,10 @@ class TracksReader {
 
  private:
   void read_controls(ObjectReader& controls, Track& track) {
+    const auto& object = root_.at("controls");
+    if (!object.is_object()) return;
     std::vector<std::string> names;
-    for (const auto& [name, values] : root_.at("controls").items()) names.push_back(name);
+    for (const auto& [name, values] : object.items()) names.push_back(name);
     for (const auto& name : controls_among(names, file_)) {
       auto values = numbers(controls, name, 0);
       if (values.size() != track.time_ms.size()) {

@@ -42,7 +42,7 @@ bool is_opaque(const Image& image) {
 
 }  // namespace
 
-void write_png(const Image& image, const std::filesystem::path& file) {
+void write_png(const Image& image, const std::filesystem::path& file, Packing packing) {
   assert(image.width > 0 && image.height > 0);
   assert(image.pixels.size() == image.width * image.height * kBytesPerPixel);
   if (lower_case(file.extension().string()) != ".png") {
@@ -53,6 +53,7 @@ void write_png(const Image& image, const std::filesystem::path& file) {
   png_image png = png_in_our_layout();
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
+  if (packing == Packing::Fast) png.flags |= PNG_IMAGE_FLAG_FAST;
   constexpr int kEightBits = 0;
   constexpr int kRowsFromTheTop = 0;  // the stride that libpng works out itself, positive
   if (png_image_write_to_file(
