@@ -30,7 +30,8 @@ class StartedCommand {
                  const std::string& program,
                  const std::vector<std::string>& arguments,
                  const std::vector<std::string>& environment = {}) {
-    std::vector<std::string> words{"env", "-C", folder.string()};
+    // Nothing is kept in the user's own cache.
+    std::vector<std::string> words{"env", "-C", folder.string(), "BIMODAL_CACHE="};
     words.insert(words.end(), environment.begin(), environment.end());
     words.push_back(std::string{BIMODAL_BIN "/"} + program);
     words.insert(words.end(), arguments.begin(), arguments.end());
