@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/face_appearance.hpp"
 #include "runner/cli/face_view.hpp"
 #include "runner/cli/interrupt.hpp"
 #include "runner/cli/option_checks.hpp"
@@ -18,7 +19,6 @@
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/obstacle.hpp"
-#include "stimuli/base/whole_number.hpp"
 
 namespace bimodal::runner {
 
@@ -32,24 +32,11 @@ struct RenderOptions {
   std::vector<std::string> outputs;
   std::optional<std::string> audio;
   std::optional<double> at_ms;
-  std::string size;
   std::string fps = "60";
   std::optional<int> rate_factor;
   ViewOptions view;
+  AppearanceOptions appearance;
 };
-
-/// "640x720": even numbers, as video needs them.
-std::string size_fault(const std::string& text) {
-  const auto cross = text.find('x');
-  const auto is_side = [](const std::string& side) {
-    return whole_number_fault(side, 32, 4096).empty() && std::stoi(side) % 2 == 0;
-  };
-  if (cross != std::string::npos && is_side(text.substr(0, cross)) &&
-      is_side(text.substr(cross + 1))) {
-    return {};
-  }
-  return "'" + text + "' is no size; give even numbers of pixels from 32 to 4096, e.g. 640x720";
-}
 
 /// A text that stands behind --audio is taken for its file.
 std::string audio_fault(const std::string& text) {
@@ -63,15 +50,6 @@ std::string audio_fault(const std::string& text) {
 std::string rate_fault(const std::string& text) {
   if (parse_frame_rate(text)) return {};
   return "'" + text + "' is no frame rate from 1 to 1000; give e.g. 60, 29.97 or 30000/1001";
-}
-
-synth::View view_of(const RenderOptions& options) {
-  auto view = face_view(options.view);
-  if (options.size.empty()) return view;
-  const auto cross = options.size.find('x');
-  view.width = std::stoul(options.size.substr(0, cross));
-  view.height = std::stoul(options.size.substr(cross + 1));
-  return view;
 }
 
 std::vector<RenderOutput> outputs_of(const RenderOptions& options) {
@@ -142,8 +120,10 @@ ExitCode render(const RenderOptions& options) {
   }
   const auto seen = seen_speech(options, voiced);
   const Clip* sound = own_sound ? &*own_sound : options.audio ? &seen.sound.value() : nullptr;
+  const auto view = face_view(options.view);
   const RenderStyle style{
-      .view = view_of(options),
+      .view = view,
+      .appearance = face_appearance(options.appearance, view),
       .rate = parse_frame_rate(options.fps).value(),
       .rate_factor = options.rate_factor,
       .instant = options.at_ms ? std::optional{Milliseconds{*options.at_ms}} : std::nullopt};
@@ -194,9 +174,6 @@ void add_render(CLI::App& app, Verb& chosen) {
       ->type_name("[FILE]");
   verb->add_option("--at", options->at_ms, "instant in ms of the one picture in a .png")
       ->check(finite_number());
-  verb->add_option("--size", options->size, "of a picture in pixels, e.g. 1280x720")
-      ->check(CLI::Validator{[](std::string& text) { return size_fault(text); }, ""})
-      ->type_name("WxH");
   verb->add_option("--fps", options->fps, "frames a second (60): e.g. 25, 29.97 or 30000/1001")
       ->check(CLI::Validator{[](std::string& text) { return rate_fault(text); }, ""})
       ->type_name("RATE");
@@ -205,7 +182,7 @@ void add_render(CLI::App& app, Verb& chosen) {
                    "how coarse films are coded: 0 (finest) to 51 in .mp4 (16), to 63 in .webm (18)")
       ->check(CLI::Range(0, 63));
   add_view_options(*verb, options->view);
-  verb->get_option("--size")->excludes(verb->get_option("--height"));
+  add_appearance_options(*verb, options->appearance);
   verb->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }
 

@@ -177,7 +177,7 @@ void write_rendered(const RenderOutput& output,
                std::chrono::duration<double>{seen.sound->duration()}.count());
     return;
   }
-  synth::HeadRenderer renderer{head, style.view};
+  synth::HeadRenderer renderer{head, style.view, style.appearance};
   if (output.kind == Kind::Film) {
     write_film(output, seen, output.has_sound() ? sound : nullptr, renderer, style);
   } else if (output.kind == Kind::Frames) {

@@ -6,6 +6,7 @@
 #include "runner/cli/seen_speech.hpp"
 #include "stimuli/video/frame_rate.hpp"
 #include "synth/face/head.hpp"
+#include "synth/render/appearance.hpp"
 #include "synth/render/view.hpp"
 
 namespace bimodal::runner {
@@ -13,6 +14,7 @@ namespace bimodal::runner {
 /// How what is seen becomes pictures.
 struct RenderStyle {
   synth::View view;
+  synth::Appearance appearance;
   FrameRate rate;
   std::optional<int> rate_factor;       ///< of films; absent: the usual one
   std::optional<Milliseconds> instant;  ///< of a still

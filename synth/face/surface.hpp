@@ -57,10 +57,13 @@ struct LipMeasures {
   double outer_height_mm = 0.0;
   double upper_protrusion_mm = 0.0;  ///< forward of rest
   double lower_protrusion_mm = 0.0;
-  double chin_drop_mm = 0.0;     ///< below rest
-  double largest_gap_mm = 0.0;   ///< along the whole slit; negative parts of gaps do not count
-  double smallest_gap_mm = 0.0;  ///< along the whole slit; negative: the lips lie in each other
-  glm::vec3 inner_centre{};      ///< centre of the opening, for the light inside the mouth
+  double corner_out_mm = 0.0;      ///< mean of both corners of the vermilion border, from rest
+  double corner_up_mm = 0.0;       ///< so too
+  double corner_forward_mm = 0.0;  ///< so too
+  double chin_drop_mm = 0.0;       ///< below rest
+  double largest_gap_mm = 0.0;     ///< along the whole slit; negative parts of gaps do not count
+  double smallest_gap_mm = 0.0;    ///< along the whole slit; negative: the lips lie in each other
+  glm::vec3 inner_centre{};        ///< centre of the opening, for the light inside the mouth
 };
 
 /// One posed head. Reused from frame to frame, so that posing allocates only once.
