@@ -48,21 +48,27 @@ std::vector<std::string> controls_among(const std::vector<std::string>& names,
   for (const auto& row : synth::controls()) known.push_back(row.name);
   std::vector<std::string> found;
   for (const auto& name : names) {
-    if (synth::control_from_name(name)) {
-      found.push_back(name);
-    } else if (name != "time_ms" && name != "time_s" && name.find('@') == std::string::npos) {
-      const auto near = nearest(name, known);
-      fmt::print(stderr,
-                 "note: {}: '{}' is no control of the face and moves nothing{}\n",
-                 file,
-                 name,
-                 near ? fmt::format("; did you mean '{}'?", *near) : "");
-    }
+    if (synth::control_from_name(name)) found.push_back(name);
   }
-  if (!found.empty()) return found;
-  throw Error{fmt::format("{}: none of its columns is a control of the face; there are {}",
-                          file,
-                          fmt::join(known, ", "))};
+  if (found.empty()) {
+    throw Error{fmt::format(
+        "{}: none of its columns is a control of the face; name them in the first line, without "
+        "quotation marks; there are {}",
+        file,
+        fmt::join(known, ", "))};
+  }
+  for (const auto& name : names) {
+    const bool is_passed_over =
+        name == "time_ms" || name == "time_s" || name.find('@') != std::string::npos;
+    if (is_passed_over || synth::control_from_name(name)) continue;
+    const auto near = nearest(name, known);
+    fmt::print(stderr,
+               "note: {}: {} is no control of the face and moves nothing{}\n",
+               file,
+               in_quotes(name),
+               near ? fmt::format("; did you mean '{}'?", *near) : "");
+  }
+  return found;
 }
 
 Track track_of_table(const std::string& file) {

@@ -147,7 +147,9 @@ TEST_F(Render, TellsWhatIsWrongWithTracks) {
   EXPECT_THAT(refused("t.csv", "jaw,lip_width\n0,1\n10,1\n"),
               with(HasSubstr("there is no column time_ms or time_s")));
   EXPECT_THAT(refused("t.csv", "time_ms,jow\n0,1\n10,1\n"),
-              with(AllOf(HasSubstr("did you mean 'jaw'?"), HasSubstr("none of its columns"))));
+              with(HasSubstr("none of its columns is a control of the face")));
+  EXPECT_THAT(refused("t.csv", "time_ms,jow,jaw\n0,1,1\n10,1\n"),
+              with(AllOf(HasSubstr("did you mean 'jaw'?"), HasSubstr("t.csv:3: 2 fields"))));
   EXPECT_THAT(refused("t.csv", ""), with(HasSubstr("the file is empty")));
   EXPECT_THAT(refused("t.csv", "time_ms,jaw\n-20,1\n-10,1\n"), with(HasSubstr("before time 0")));
   EXPECT_THAT(refused("t.csv", "time_ms,jaw\n0,1\n1e12,1\n"), with(HasSubstr("an hour at most")));
