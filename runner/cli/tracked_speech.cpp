@@ -30,6 +30,9 @@ using synth::Control;
 using synth::Track;
 
 constexpr std::size_t kMostValuesOfTracks = 4'000'000;
+/// So long, at most, the last instant of tracks is seen: as long as its distance from the one
+/// before, where they are sampled evenly.
+constexpr Milliseconds kLongestStep{100};
 
 std::string ending_of(const std::string& file) {
   return lower_case(std::filesystem::path{file}.extension().string());
@@ -208,7 +211,8 @@ SeenSpeech tracked_speech(const std::string& file) {
     *track = track_of_table(file);
   }
   const auto& times = track->time_ms;
-  seen.end = Milliseconds{2 * times.back() - times[times.size() - 2]};
+  const Milliseconds step{times.back() - times[times.size() - 2]};
+  seen.end = Milliseconds{times.back()} + std::min(step, kLongestStep);
   if (seen.end <= Milliseconds{}) {
     throw Error{
         fmt::format("{}: it ends before time 0, where a film begins; count its times from "
