@@ -66,6 +66,17 @@ void write_film(const RenderOutput& output,
                 const RenderStyle& style) {
   const auto rate = rate_in(*output.form, style.rate);
   const auto frames = rate.frames_before(length_of(seen, sound));
+  const auto most = most_frames(*output.form, style.view.width, style.view.height);
+  if (frames > most) {
+    throw Error{fmt::format(
+        "cannot write '{}': it would have {} frames of {} x {} pixels, and a GIF of this size {} "
+        "at most; make it smaller (--height), take fewer (--fps), or write .mp4 or .webm",
+        output.name,
+        frames,
+        style.view.width,
+        style.view.height,
+        most)};
+  }
   VideoWriter video{output.name,
                     {.width = style.view.width,
                      .height = style.view.height,

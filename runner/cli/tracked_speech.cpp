@@ -30,6 +30,9 @@ using synth::Control;
 using synth::Track;
 
 constexpr std::size_t kMostValuesOfTracks = 4'000'000;
+/// So long, at most, the last instant of tracks is seen: as long as its distance from the one
+/// before, where they are sampled evenly.
+constexpr Milliseconds kLongestStep{100};
 
 std::string ending_of(const std::string& file) {
   return lower_case(std::filesystem::path{file}.extension().string());
@@ -48,21 +51,27 @@ std::vector<std::string> controls_among(const std::vector<std::string>& names,
   for (const auto& row : synth::controls()) known.push_back(row.name);
   std::vector<std::string> found;
   for (const auto& name : names) {
-    if (synth::control_from_name(name)) {
-      found.push_back(name);
-    } else if (name != "time_ms" && name != "time_s" && name.find('@') == std::string::npos) {
-      const auto near = nearest(name, known);
-      fmt::print(stderr,
-                 "note: {}: '{}' is no control of the face and moves nothing{}\n",
-                 file,
-                 name,
-                 near ? fmt::format("; did you mean '{}'?", *near) : "");
-    }
+    if (synth::control_from_name(name)) found.push_back(name);
   }
-  if (!found.empty()) return found;
-  throw Error{fmt::format("{}: none of its columns is a control of the face; there are {}",
-                          file,
-                          fmt::join(known, ", "))};
+  if (found.empty()) {
+    throw Error{fmt::format(
+        "{}: none of its columns is a control of the face; name them in the first line, without "
+        "quotation marks; there are {}",
+        file,
+        fmt::join(known, ", "))};
+  }
+  for (const auto& name : names) {
+    const bool is_passed_over =
+        name == "time_ms" || name == "time_s" || name.find('@') != std::string::npos;
+    if (is_passed_over || synth::control_from_name(name)) continue;
+    const auto near = nearest(name, known);
+    fmt::print(stderr,
+               "note: {}: {} is no control of the face and moves nothing{}\n",
+               file,
+               in_quotes(name),
+               near ? fmt::format("; did you mean '{}'?", *near) : "");
+  }
+  return found;
 }
 
 Track track_of_table(const std::string& file) {
@@ -202,7 +211,8 @@ SeenSpeech tracked_speech(const std::string& file) {
     *track = track_of_table(file);
   }
   const auto& times = track->time_ms;
-  seen.end = Milliseconds{2 * times.back() - times[times.size() - 2]};
+  const Milliseconds step{times.back() - times[times.size() - 2]};
+  seen.end = Milliseconds{times.back()} + std::min(step, kLongestStep);
   if (seen.end <= Milliseconds{}) {
     throw Error{
         fmt::format("{}: it ends before time 0, where a film begins; count its times from "

@@ -96,8 +96,11 @@ void FilmCache::keep(const std::string& key, const Film& film, const Checkpoint&
   make_room(bytes.size());
   try {
     write_file(file_of(key), bytes);
+    fs::permissions(file_of(key), fs::perms::owner_read | fs::perms::owner_write);
   } catch (const Error&) {
     return;  // the disk is full: the film is drawn anew next time
+  } catch (const fs::filesystem_error&) {
+    return;  // another process has removed it already
   }
 }
 

@@ -66,19 +66,19 @@ std::string source_of(const char* name, std::size_t width, std::size_t height, c
 
 class PaletteEncoder final : public PictureEncoder {
  public:
-  PaletteEncoder(ContainerWriter& container, const VideoOptions& options)
-      : container_{container}, options_{options}, track_{container, opened(container, options)} {}
+  PaletteEncoder(ContainerWriter& container, const VideoForm& form, const VideoOptions& options)
+      : container_{container},
+        options_{options},
+        most_{most_frames(form, options.width, options.height)},
+        track_{container, opened(container, options)} {}
 
   void add(const Image& picture) override {
-    const auto bytes = picture.pixels.size() * (pictures_.size() + 1);
-    if (bytes > kMostKeptBytes) {
-      container_.refuse(
-          fmt::format("{} pictures of {} x {} pixels are too many for a GIF, whose colours are "
-                      "chosen from all of them",
-                      pictures_.size() + 1,
-                      picture.width,
-                      picture.height),
-          "take fewer or smaller ones, or write .mp4 or .webm");
+    if (static_cast<std::int64_t>(pictures_.size()) == most_) {
+      container_.refuse(fmt::format("a GIF of {} x {} pixels has {} frames at most",
+                                    options_.width,
+                                    options_.height,
+                                    most_),
+                        "take fewer or smaller ones, or write .mp4 or .webm");
     }
     pictures_.push_back(picture);
   }
@@ -160,6 +160,7 @@ class PaletteEncoder final : public PictureEncoder {
 
   ContainerWriter& container_;
   VideoOptions options_;
+  std::int64_t most_;
   EncodedTrack track_;
   std::vector<Image> pictures_;
   std::int64_t count_ = 0;
@@ -168,8 +169,9 @@ class PaletteEncoder final : public PictureEncoder {
 }  // namespace
 
 std::unique_ptr<PictureEncoder> palette_encoder(ContainerWriter& container,
+                                                const VideoForm& form,
                                                 const VideoOptions& options) {
-  return std::make_unique<PaletteEncoder>(container, options);
+  return std::make_unique<PaletteEncoder>(container, form, options);
 }
 
 }  // namespace bimodal::libav

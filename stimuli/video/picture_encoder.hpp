@@ -31,11 +31,10 @@ class PictureEncoder {
                                                            const VideoOptions& options);
 
 /// GIF: the 255 colours that serve all pictures best, so that a finished picture needs all of them;
-/// until then they are kept, up to kMostKeptBytes. Ordered dither, which stands still where the
+/// until then they are kept (see most_frames). Ordered dither, which stands still where the
 /// picture does.
 [[nodiscard]] std::unique_ptr<PictureEncoder> palette_encoder(ContainerWriter& container,
+                                                              const VideoForm& form,
                                                               const VideoOptions& options);
-
-inline constexpr std::size_t kMostKeptBytes = std::size_t{1} << 30U;
 
 }  // namespace bimodal::libav

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "stimuli/base/lower_case.hpp"
 
@@ -10,16 +11,15 @@ namespace bimodal {
 
 namespace {
 
-constexpr std::array kForms{
-    VideoForm{.ending = ".mp4",
-              .about = "H.264 and AAC",
-              .has_sound = true,
-              .factor = RateFactor{.usual = 16, .coarsest = 51}},
-    VideoForm{.ending = ".webm",
-              .about = "VP9 and Opus",
-              .has_sound = true,
-              .factor = RateFactor{.usual = 18, .coarsest = 63}},
-    VideoForm{.ending = ".gif", .about = "256 colours", .is_timed_in_hundredths = true}};
+constexpr std::array kForms{VideoForm{.ending = ".mp4",
+                                      .about = "H.264 and AAC",
+                                      .has_sound = true,
+                                      .factor = RateFactor{.usual = 16, .coarsest = 51}},
+                            VideoForm{.ending = ".webm",
+                                      .about = "VP9 and Opus",
+                                      .has_sound = true,
+                                      .factor = RateFactor{.usual = 18, .coarsest = 63}},
+                            VideoForm{.ending = ".gif", .about = "256 colours", .is_gif = true}};
 
 }  // namespace
 
@@ -33,8 +33,15 @@ const VideoForm* video_form_of(const std::filesystem::path& file) {
   return found == kForms.end() ? nullptr : found;
 }
 
+std::int64_t most_frames(const VideoForm& form, std::size_t width, std::size_t height) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
+  constexpr std::size_t kBytesPerPixel = 4;
+  if (!form.is_gif) return std::numeric_limits<std::int64_t>::max();
+  return static_cast<std::int64_t>(kMostBytes / (width * height * kBytesPerPixel));
+}
+
 FrameRate rate_in(const VideoForm& form, const FrameRate& wanted) {
-  if (!form.is_timed_in_hundredths) return wanted;
+  if (!form.is_gif) return wanted;
   constexpr std::int64_t kShortest = 2;
   constexpr std::int64_t kHundredths = 100;
   const auto each = std::max<std::int64_t>(

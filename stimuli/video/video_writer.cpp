@@ -66,8 +66,8 @@ struct VideoWriter::Tracks {
   Tracks(const std::filesystem::path& file, const VideoForm& form, const VideoOptions& options)
       : container{file, form.ending.substr(1)}, rate{options.rate} {
     const bool is_mp4 = form.ending == ".mp4";
-    pictures = form.ending == ".gif" ? libav::palette_encoder(container, options)
-                                     : libav::film_encoder(container, form, options);
+    pictures = form.is_gif ? libav::palette_encoder(container, form, options)
+                           : libav::film_encoder(container, form, options);
     if (options.sound != nullptr) {
       sound.emplace(
           container, is_mp4 ? "aac" : "libopus", is_mp4 ? kAacBits : kOpusBits, *options.sound);

@@ -147,7 +147,9 @@ TEST_F(Render, TellsWhatIsWrongWithTracks) {
   EXPECT_THAT(refused("t.csv", "jaw,lip_width\n0,1\n10,1\n"),
               with(HasSubstr("there is no column time_ms or time_s")));
   EXPECT_THAT(refused("t.csv", "time_ms,jow\n0,1\n10,1\n"),
-              with(AllOf(HasSubstr("did you mean 'jaw'?"), HasSubstr("none of its columns"))));
+              with(HasSubstr("none of its columns is a control of the face")));
+  EXPECT_THAT(refused("t.csv", "time_ms,jow,jaw\n0,1,1\n10,1\n"),
+              with(AllOf(HasSubstr("did you mean 'jaw'?"), HasSubstr("t.csv:3: 2 fields"))));
   EXPECT_THAT(refused("t.csv", ""), with(HasSubstr("the file is empty")));
   EXPECT_THAT(refused("t.csv", "time_ms,jaw\n-20,1\n-10,1\n"), with(HasSubstr("before time 0")));
   EXPECT_THAT(refused("t.csv", "time_ms,jaw\n0,1\n1e12,1\n"), with(HasSubstr("an hour at most")));
@@ -178,6 +180,8 @@ TEST_F(Render, RefusesWhatCannotBeBeforeItDraws) {
   wrong({"B~W:3/8 AA", "--from", "arpabet", "-o", "x.wav"}, "ambiguous sound B~W:3/8");
   wrong({"S:140 AA", "--from", "arpabet", "-o", "x.mp4", "--audio"}, "leave durations");
   wrong({"none.csv", "-o", "x.mp4"}, "none.csv");
+  files_.write("long.csv", "time_ms,jaw\n0,1\n3000000,1\n");
+  wrong({"long.csv", "-o", "x.gif"}, "a GIF of this size 37282 at most");
   files_.write("t.csv", "time_ms,jaw\n0,1\n10,1\n");
   wrong({"t.csv", "-o", "x.mp4", "--audio"}, "--audio FILE.wav");
   wrong({"t.csv", "-o", "x.mp4", "--rate", "2"}, "which are drawn as they are");
@@ -189,7 +193,7 @@ TEST_F(Render, RefusesWhatCannotBeBeforeItDraws) {
   misused({"render", "stew", "-o", "x.mp4", "--size", "641x720"}, "even numbers");
   misused({"render", "stew", "-o", "x.mp4", "--size", "64x64", "--height", "64"}, "excludes");
   misused({"render", "stew", "-o", "x.mp4", "--fps", "nan"}, "30000/1001");
-  EXPECT_TRUE(has_only({"t.csv"}));
+  EXPECT_TRUE(has_only({"t.csv", "long.csv"}));
 }
 
 TEST_F(Render, LeavesNothingHalfWrittenWhenItIsInterrupted) {

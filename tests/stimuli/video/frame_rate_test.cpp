@@ -47,6 +47,8 @@ TEST(FrameRate, OfAGifHasFramesOfWholeHundredths) {
   EXPECT_EQ(rate_in(gif, FrameRate{30}), (FrameRate{100, 3}));
   EXPECT_EQ(rate_in(*video_form_of("x.mp4"), FrameRate{60}), FrameRate{60});
   EXPECT_EQ(video_form_of("x.avi"), nullptr);
+  EXPECT_EQ(most_frames(gif, 1024, 1024), 256);
+  EXPECT_GT(most_frames(*video_form_of("x.mp4"), 1024, 1024), 1'000'000);
 }
 
 }  // namespace
