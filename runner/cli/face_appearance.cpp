@@ -91,6 +91,10 @@ void add_appearance_options(CLI::App& verb, AppearanceOptions& options) {
       ->check(CLI::IsMember({"smooth", "gouraud", "flat"}));
   verb.add_option("--points", options.points, "only points of light: sparse, lips or all")
       ->check(CLI::IsMember({"sparse", "lips", "all"}));
+  verb.add_option("--quality",
+                  options.quality,
+                  "fast (default), or full: shadows that follow every movement, finer edges")
+      ->check(CLI::IsMember({"fast", "full"}));
 }
 
 synth::Appearance face_appearance(const AppearanceOptions& options, const synth::View& view) {
@@ -111,6 +115,7 @@ synth::Appearance face_appearance(const AppearanceOptions& options, const synth:
   for (const auto& [name, points] : kPoints) {
     if (name == options.points) appearance.points = points;
   }
+  if (options.quality == "full") appearance.quality = synth::Quality::Full;
   return appearance;
 }
 

@@ -21,9 +21,11 @@ struct AppearanceOptions {
   std::vector<double> clip;  ///< x, y, z of the normal and the distance; or none
   std::string shading;
   std::string points;
+  std::string quality = "fast";
 };
 
-/// Adds --material, --show, --hide, --transparency, --section, --clip, --shading and --points.
+/// Adds --material, --show, --hide, --transparency, --section, --clip, --shading, --points and
+/// --quality.
 void add_appearance_options(CLI::App& verb, AppearanceOptions& options);
 
 /// A section takes away the half of the head that `view` sees first. Throws Error if what is asked

@@ -7,6 +7,7 @@
 
 #include "synth/render/head_part.hpp"
 #include "synth/render/materials.hpp"
+#include "synth/render/quality.hpp"
 
 namespace bimodal::synth {
 
@@ -37,6 +38,7 @@ struct Appearance {
   std::optional<Plane> cut;
   std::optional<Shading> shading;  ///< absent: as the materials say
   Points points = Points::None;
+  Quality quality = Quality::Fast;
 };
 
 }  // namespace bimodal::synth

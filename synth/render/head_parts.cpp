@@ -103,14 +103,16 @@ std::array<PartTriangles, kHeadPartCount> sort_by_part(
     std::span<const SurfaceDescription> surfaces,
     std::span<const std::vector<VertexPaint>> paints,
     const PosedHead& resting,
-    const glm::vec3& towards_camera) {
+    const glm::vec3& towards_camera,
+    Quality quality) {
   std::array<PartTriangles, kHeadPartCount> sorted;
   std::uint32_t first_vertex = 0;
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     const SurfaceDescription& surface = surfaces[s];
     const std::vector<glm::vec3>& normals = resting.surfaces[s].normals;
     const std::vector<std::uint32_t> triangles =
-        triangles_worth_drawing(surface, paints[s], normals);
+        quality == Quality::Full ? surface.triangles
+                                 : triangles_worth_drawing(surface, paints[s], normals);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
       const std::span<const std::uint32_t, 3> triangle{&triangles[i], 3};
       const HeadPart part = part_of(surface, paints[s], triangle);

@@ -11,6 +11,7 @@
 #include "synth/face/surface.hpp"
 #include "synth/render/head_part.hpp"
 #include "synth/render/paint.hpp"
+#include "synth/render/quality.hpp"
 
 namespace bimodal::synth {
 
@@ -35,11 +36,13 @@ struct PartTriangles {
   std::vector<std::uint32_t> far;   ///< those that it can see only when the head turns
 };
 
-/// One per part. `paints`: one per surface; `towards_camera`: unit vector.
+/// One per part. `paints`: one per surface; `towards_camera`: unit vector. Full quality keeps all
+/// triangles.
 [[nodiscard]] std::array<PartTriangles, kHeadPartCount> sort_by_part(
     std::span<const SurfaceDescription> surfaces,
     std::span<const std::vector<VertexPaint>> paints,
     const PosedHead& resting,
-    const glm::vec3& towards_camera);
+    const glm::vec3& towards_camera,
+    Quality quality);
 
 }  // namespace bimodal::synth

@@ -37,6 +37,7 @@ std::string preamble(const Appearance& appearance, HeadPart part) {
   if (shading == Shading::Gouraud) text += "#define GOURAUD 1\n";
   if (shading == Shading::Flat) text += "#define FLAT 1\n";
   if (appearance.cut) text += "#define CUT 1\n";
+  if (appearance.quality == Quality::Full) text += "#define FULL 1\n";
   const bool is_alone = !has(appearance.shown, Skin);
   if (is_alone && (is_painted_on_skin(part) || part == Lips)) text += "#define ALONE 1\n";
   return text;
@@ -50,15 +51,36 @@ PartSet drawn_parts(const PartSet& shown) {
   return drawn;
 }
 
+/// Lashes are too fine and the cornea is clear.
+PartSet casters_of(const Appearance& appearance) {
+  PartSet casters = drawn_parts(appearance.shown);
+  for (const HeadPart part : {Lash, Cornea}) casters.reset(static_cast<std::size_t>(part));
+  if (!appearance.cut && appearance.skin_transparency == 0.0) return casters;
+  for (const HeadPart part : {Skin, Ear, Lips, Brow, Hair, MouthWall}) {
+    casters.reset(static_cast<std::size_t>(part));
+  }
+  return casters;
+}
+
 std::vector<Program> compile_parts(const Appearance& appearance) {
   std::vector<Program> programs;
   programs.reserve(kHeadPartCount);
   for (const PartLook& look : part_looks()) {
     const bool is_bare = is_painted_on_skin(look.part) && !has(appearance.shown, look.part);
-    programs.emplace_back(ShaderSource{{"light.glsl", "head.vert"},
-                                       {"noise.glsl", "light.glsl", "surface.glsl", look.shader},
-                                       is_bare ? "" : look.definition,
-                                       preamble(appearance, look.part)});
+    const std::string before = preamble(appearance, look.part);
+    const std::string_view definition = is_bare ? "" : look.definition;
+    if (appearance.quality == Quality::Full) {
+      programs.emplace_back(
+          ShaderSource{{"light.glsl", "head.vert"},
+                       {"noise.glsl", "light.glsl", "shadow.glsl", "surface.glsl", look.shader},
+                       definition,
+                       before});
+    } else {
+      programs.emplace_back(ShaderSource{{"light.glsl", "head.vert"},
+                                         {"noise.glsl", "light.glsl", "surface.glsl", look.shader},
+                                         definition,
+                                         before});
+    }
   }
   return programs;
 }
@@ -70,13 +92,18 @@ bool shows_inside(const Appearance& appearance) {
          !has(appearance.shown, Lips);
 }
 
-PartPrograms::PartPrograms(const Appearance& appearance, const Camera& camera)
-    : drawn_{drawn_parts(appearance.shown)}, programs_{compile_parts(appearance)} {
+PartPrograms::PartPrograms(const Appearance& appearance,
+                           const Camera& camera,
+                           const glm::mat4& map_from_world)
+    : drawn_{drawn_parts(appearance.shown)},
+      casters_{casters_of(appearance)},
+      programs_{compile_parts(appearance)} {
   const Materials& materials = appearance.materials;
   for (const PartLook& look : part_looks()) {
     const Program& program = programs_.at(static_cast<std::size_t>(look.part));
     program.use();
     program.set("clip_from_world", camera.clip_from_world);
+    program.set("map_from_world", map_from_world);
     program.set("camera", camera.position);
     program.set("key_direction", materials.key_direction);
     program.set("fill_direction", materials.fill_direction);

@@ -18,10 +18,14 @@ namespace bimodal::synth {
 /// context that is current at construction.
 class PartPrograms {
  public:
-  PartPrograms(const Appearance& appearance, const Camera& camera);
+  /// `map_from_world`: that of the shadow map, which full quality wants in texture unit 0.
+  PartPrograms(const Appearance& appearance, const Camera& camera, const glm::mat4& map_from_world);
 
   /// Whether the part is to be drawn at all: it is shown, or bare skin stands in its place.
   [[nodiscard]] bool draws(HeadPart part) const { return has(drawn_, part); }
+
+  /// The parts that throw shadows: not skin that one sees through, or that is cut away.
+  [[nodiscard]] const PartSet& casters() const { return casters_; }
 
   /// The pose of what is drawn from now on.
   void follow(const LipMeasures& lips, const glm::mat3& head_axes) const;
@@ -30,6 +34,7 @@ class PartPrograms {
 
  private:
   PartSet drawn_;
+  PartSet casters_;
   std::vector<Program> programs_;  // one per HeadPart
 };
 

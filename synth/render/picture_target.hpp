@@ -11,8 +11,9 @@ namespace bimodal::synth {
 /// current at construction.
 class PictureTarget {
  public:
-  /// Throws Error if OpenGL cannot draw pictures of that size.
-  PictureTarget(std::size_t width, std::size_t height);
+  /// With several samples a pixel nothing is smoothed afterwards. Throws Error if OpenGL cannot
+  /// draw pictures of that size.
+  PictureTarget(std::size_t width, std::size_t height, int samples);
 
   /// What is drawn from now on goes into an empty picture.
   void begin() const;
@@ -21,7 +22,8 @@ class PictureTarget {
   void read_into(Image& image);
 
  private:
-  GLuint framebuffer_ = 0;
+  GLuint framebuffer_ = 0;  // where one draws
+  GLuint single_ = 0;       // where pixels are read; the same with one sample
   Image raw_;
   EdgeSmoothing smoothing_;
 };

@@ -21,6 +21,7 @@
 #include "synth/render/part_programs.hpp"
 #include "synth/render/picture_target.hpp"
 #include "synth/render/shader.hpp"
+#include "synth/render/shadow_map.hpp"
 
 namespace bimodal::synth {
 
@@ -98,6 +99,8 @@ void check_for_errors(const char* deed) {
 
 }  // namespace
 
+constexpr int kSamples = 4;  // of a pixel, in full quality
+
 struct SurfaceRenderer::Stage {
   Stage(std::span<const SurfaceDescription> surfaces,
         const PosedHead& resting,
@@ -126,6 +129,7 @@ struct SurfaceRenderer::Stage {
   std::vector<std::vector<VertexPaint>> paints_;
   std::array<PartTriangles, kHeadPartCount> triangles_;
   MeshBuffers mesh_;
+  ShadowMap shadow_map_;
   PartPrograms programs_;
   Program backdrop_;
   std::optional<CutFaces> cut_faces_;
@@ -142,11 +146,12 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
                               const Appearance& wanted)
     : appearance_{wanted},
       paints_{paint_all(surfaces, wanted.materials)},
-      triangles_{sort_by_part(surfaces, paints_, resting, towards_camera(view))},
+      triangles_{sort_by_part(surfaces, paints_, resting, towards_camera(view), wanted.quality)},
       mesh_{surfaces, triangles_},
-      programs_{wanted, camera_for(view)},
+      shadow_map_{wanted.materials.key_direction},
+      programs_{wanted, camera_for(view), shadow_map_.map_from_world()},
       backdrop_{ShaderSource{{"backdrop.vert"}, {"backdrop.frag"}}},
-      target{view.width, view.height} {
+      target{view.width, view.height, wanted.quality == Quality::Full ? kSamples : 1} {
   const Materials& materials = wanted.materials;
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -219,6 +224,8 @@ void SurfaceRenderer::Stage::draw_clear_parts() const {
 
 void SurfaceRenderer::Stage::draw_head(const PosedHead& posed, const glm::mat3& head_axes) {
   mesh_.move_to(posed);
+  if (appearance_.quality == Quality::Full) shadow_map_.draw(mesh_, programs_.casters());
+  target.begin();
   programs_.follow(posed.lips, head_axes);
   side_ = looks_ahead(head_axes) ? MeshBuffers::Side::Near : MeshBuffers::Side::Both;
   const bool mouth_is_open = posed.lips.inner_area_mm2 > 0.0 || shows_inside(appearance_);
@@ -259,7 +266,6 @@ SurfaceRenderer::~SurfaceRenderer() = default;
 
 void SurfaceRenderer::draw(const PosedHead& posed, const glm::mat3& head_axes, Image& image) {
   const EglContext::Current current{context_};
-  stage_->target.begin();
   stage_->draw_head(posed, head_axes);
   stage_->target.read_into(image);
 }

@@ -96,8 +96,7 @@ void main() {
   float rim = 0.70 * max(dot(normal, kRimLeft), 0.0) + 0.35 * max(dot(normal, kRimRight), 0.0);
 
   v_around = sky + kFillColour * filled + kRimColour * rim * open;
-  v_key = kKeyColour *
-          vec3(pow(key, 1.0 - 0.35 * softness), key, pow(key, 1.0 + 0.15 * softness));
+  v_key = key_through(key);
 
   vec3 to_camera = normalize(camera - position);
   float grazing = 1.0 - clamp(dot(normal, to_camera), 0.0, 1.0);

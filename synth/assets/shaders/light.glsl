@@ -27,3 +27,9 @@ float highlight(float cosine, float mirrored, vec2 gloss, float width, float key
   float both = gloss.x * (width + 2.0) * broad + gloss.y * (kSharper * width + 2.0) * sharp;
   return both * (key * clamp(4.0 * cosine, 0.0, 1.0) / 16.0);
 }
+
+// Colour of the key light of which this share arrives: red goes deepest into what is in shadow.
+vec3 key_through(float share) {
+  return kKeyColour *
+         vec3(pow(share, 1.0 - 0.35 * softness), share, pow(share, 1.0 + 0.15 * softness));
+}

@@ -52,8 +52,13 @@ vec3 lit(vec3 albedo, vec3 normal, vec2 gloss, float width) {
   float mirrored = v_highlight;
 #else
   float cosine = dot(normal, key_direction);
-  vec3 result = albedo * scattered(cosine, v_around, v_key);
-  float mirrored = highlight(cosine, dot(normal, v_half), gloss, width, v_key.g);
+#ifdef FULL
+  vec3 key = key_light(v_position, normal);
+#else
+  vec3 key = v_key;
+#endif
+  vec3 result = albedo * scattered(cosine, v_around, key);
+  float mirrored = highlight(cosine, dot(normal, v_half), gloss, width, key.g);
 #endif
   if (!gl_FrontFacing) result *= kBackFace;
   return toned((result + kHighlightColour * (mirrored + v_sheen) * kGloss) * kExposure);
