@@ -37,6 +37,7 @@ out vec4 v_masks;
 out vec3 v_brow;
 BY_VERTEX out vec3 v_half;    // between the key light and the camera
 BY_VERTEX out float v_sheen;  // highlights that are broad enough for the vertices
+out float v_scattered_in_mouth;   // 0..1: how much of the scattered light gets so deep
 #ifdef GOURAUD
 out vec3 v_scattered;
 out float v_highlight;
@@ -62,6 +63,13 @@ float sky_through_lips(vec3 at, vec3 n) {
                    (kPi * (square + area / kPi)), 0.0, 1.0);
 }
 
+// Part of the light scattered in the mouth that gets as deep as this: half of it at 1.3 times the
+// side of a square as large as the opening.
+float scattered_so_deep(vec3 at) {
+  float behind = max(dot(mouth_centre - at, head_axes[2]), 0.0);
+  return 1.0 / (1.0 + behind * behind / (1.7 * max(mouth_opening.z, 1.0)));
+}
+
 // 1 if the ray from `at` towards a light leaves through the lips, taken as an ellipse; soft edge.
 float light_through_lips(vec3 at, vec3 direction) {
   vec3 from = transpose(head_axes) * (at - mouth_centre);
@@ -81,10 +89,11 @@ float wrapped(float cosine, float wrap) {
 void main() {
   float inside = baked.w;
   float open = mix(baked.x, mix(sky_through_lips(position, normal), 1.0, kMouthLight), inside);
-  open = mix(sky_floor, 1.0, open);
+  v_scattered_in_mouth = mix(1.0, mix(scattered_so_deep(position), 1.0, kMouthLight), inside);
+  open = mix(sky_floor * v_scattered_in_mouth, 1.0, open);
   float key = mix(baked.y, mix(light_through_lips(position, key_direction), 1.0, kMouthLight),
                   inside);
-  key = mix(shadow_floor, 1.0, key);
+  key = mix(shadow_floor * v_scattered_in_mouth, 1.0, key);
   float fill = mix(baked.z, mix(light_through_lips(position, fill_direction), 1.0, kMouthLight),
                    inside);
 

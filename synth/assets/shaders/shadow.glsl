@@ -1,5 +1,7 @@
 // How much of the key light arrives, from the map of what it meets first.
 
+in float v_scattered_in_mouth;
+
 uniform sampler2DShadow shadow_map;
 uniform mat4 map_from_world;
 uniform float shadow_floor;   // light that reaches a translucent part in spite of what covers it
@@ -32,5 +34,5 @@ float key_arriving(vec3 at, vec3 normal) {
 }
 
 vec3 key_light(vec3 at, vec3 normal) {
-  return key_through(mix(shadow_floor, 1.0, key_arriving(at, normal)));
+  return key_through(mix(shadow_floor * v_scattered_in_mouth, 1.0, key_arriving(at, normal)));
 }
