@@ -81,6 +81,15 @@ void refuse_idle_options(const RenderOptions& options, const std::vector<RenderO
   if (factor == nullptr || !factor->factor) refuse("--crf", "only .mp4 and .webm are coded by it");
 }
 
+/// Of a film, whose colours are coded for two by two pixels.
+void refuse_odd_sizes(const synth::View& view, const std::vector<RenderOutput>& outputs) {
+  if ((view.width % 2 == 0 && view.height % 2 == 0) || !has(outputs, RenderOutput::Kind::Film)) {
+    return;
+  }
+  throw Error{fmt::format(
+      "--size: a film cannot have {} x {} pixels; give even numbers", view.width, view.height)};
+}
+
 /// Tracks say themselves what the face does.
 void refuse_options_of_speech(const RenderOptions& options) {
   const SpokenOptions none;
@@ -112,6 +121,8 @@ ExitCode render(const RenderOptions& options) {
   stop_at_interrupt();
   const auto outputs = outputs_of(options);
   refuse_idle_options(options, outputs);
+  const auto view = face_view(options.view);
+  refuse_odd_sizes(view, outputs);
   for (const auto& output : outputs) require_place_for(output);
   const bool voiced = options.audio == kVoice || has(outputs, RenderOutput::Kind::Sound);
   std::optional<Clip> own_sound;
@@ -120,7 +131,6 @@ ExitCode render(const RenderOptions& options) {
   }
   const auto seen = seen_speech(options, voiced);
   const Clip* sound = own_sound ? &*own_sound : options.audio ? &seen.sound.value() : nullptr;
-  const auto view = face_view(options.view);
   const RenderStyle style{
       .view = view,
       .appearance = face_appearance(options.appearance, view),
