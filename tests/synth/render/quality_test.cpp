@@ -1,6 +1,7 @@
 #include "synth/render/quality.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "tests/synth/render/drawn_head.hpp"
 
@@ -31,16 +32,17 @@ class DrawnInFull : public Drawing {
   }
 };
 
-// Measured: see the bound. Full has sharper shadows; everything else is to be the same face.
+// Measured: 1.2 at rest, 1.7 open, 1.5 rounded, 1.2 for f; nearly all of it is in shadows.
 TEST_F(DrawnInFull, ShowsTheSameMouthAsFast) {
-  constexpr double kMostLevels = 3.0;  // of 255, mean over the mouth's region
+  constexpr double kMostLevels = 2.5;  // of 255, mean over the region of the mouth
+  int number = 0;
   for (const Pose& pose : {neutral_pose(),
                            pose_of({{Jaw, 10.0}, {UpperLipRaise, 2.0}}),
                            pose_of({{Jaw, 4.0}, {LipWidth, -16.0}, {LipProtrusion, 7.0}}),
                            pose_of({{Jaw, 3.0}, {LowerLipTuck, 1.0}})}) {
     const double difference =
         mean_difference(drawn(pose, mouth(), {}), drawn(pose, mouth(), full()));
-    RecordProperty("levels", std::to_string(difference));
+    RecordProperty("levels_" + std::to_string(++number), std::to_string(difference));
     EXPECT_LT(difference, kMostLevels);
     EXPECT_GT(difference, 0.0);
   }
