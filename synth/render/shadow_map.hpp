@@ -25,8 +25,8 @@ class ShadowMap {
   [[nodiscard]] const glm::mat4& map_from_world() const { return map_from_world_; }
 
  private:
-  glm::mat4 clip_from_world_;
-  glm::mat4 map_from_world_;
+  glm::mat4 clip_from_world_{1.0F};
+  glm::mat4 map_from_world_{1.0F};
   Program program_;
   GLuint texture_ = 0;
   GLuint framebuffer_ = 0;
