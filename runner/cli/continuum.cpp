@@ -132,7 +132,7 @@ ExitCode continuum(const ContinuumOptions& options) {
   write_token_plots(made, title, options.format, folder);
   write_token_strip(made, head, options.view, folder);
   if (!options.without_videos) {
-    write_token_videos(made, head, options.view, Hertz{options.rate_hz}, folder);
+    write_token_videos(made, head, options.view, frame_rate_near(Hertz{options.rate_hz}), folder);
   }
   print_tokens(made);
   tell_limits(design);

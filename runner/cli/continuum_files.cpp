@@ -142,7 +142,7 @@ void write_token_strip(const synth::Continuum& continuum,
 void write_token_videos(const synth::Continuum& continuum,
                         const synth::Head& head,
                         const ViewOptions& view,
-                        Hertz rate,
+                        const FrameRate& rate,
                         const std::filesystem::path& folder) {
   const auto seen = face_view(view);
   synth::HeadRenderer renderer{head, seen};
@@ -150,13 +150,12 @@ void write_token_videos(const synth::Continuum& continuum,
   Image picture;
   for (std::size_t i = 0; i < continuum.tokens.size(); ++i) {
     if (tells) fmt::print(stderr, "\rvideo {} of {} ", i + 1, continuum.tokens.size());
-    VideoWriter video{
-        folder / (synth::token_name(continuum, i) + ".mp4"), seen.width, seen.height, rate};
+    VideoWriter video{folder / (synth::token_name(continuum, i) + ".mp4"),
+                      {.width = seen.width, .height = seen.height, .rate = rate}};
     synth::ScoreArticulation face{continuum.claims[i], continuum.account};
-    for (std::int64_t frame = 0;; ++frame) {
-      const Milliseconds time{static_cast<double>(frame) * 1e3 / rate.count()};
-      if (time >= continuum.claims[i].end) break;
-      renderer.draw(face.at(time), picture);
+    const auto frames = rate.frames_before(continuum.claims[i].end);
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+      renderer.draw(face.at(rate.time_of(frame)), picture);
       video.add(picture);
     }
     video.finish();

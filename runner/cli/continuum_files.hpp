@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "runner/cli/face_view.hpp"
+#include "stimuli/video/frame_rate.hpp"
 #include "synth/face/head.hpp"
 #include "synth/inspection/worked_continuum.hpp"
 
@@ -35,7 +36,7 @@ void write_token_strip(const synth::Continuum& continuum,
 void write_token_videos(const synth::Continuum& continuum,
                         const synth::Head& head,
                         const ViewOptions& view,
-                        Hertz rate,
+                        const FrameRate& rate,
                         const std::filesystem::path& folder);
 
 }  // namespace bimodal::runner

@@ -16,6 +16,7 @@
 #include "stimuli/base/error.hpp"
 #include "stimuli/picture/image.hpp"
 #include "synth/face/head.hpp"
+#include "synth/inspection/mouth_columns.hpp"
 #include "synth/render/head_renderer.hpp"
 
 namespace bimodal::runner {
@@ -30,6 +31,7 @@ struct FaceOptions {
   std::optional<double> viewing_distance_mm;
   std::optional<double> picture_height_mm;
   bool list = false;
+  bool measure = false;
 };
 
 ExitCode list_controls() {
@@ -66,16 +68,32 @@ void print_angles(const FaceOptions& options, const synth::View& view) {
   }
 }
 
-ExitCode draw(const FaceOptions& options) {
+void print_measures(const synth::Head& head, const synth::Pose& pose) {
+  synth::MouthRuler ruler{head};
+  const auto measures = ruler.measure(pose);
+  std::vector<std::vector<std::string>> rows{{"measure", "value", "meaning"}};
+  for (const auto& column : synth::mouth_columns()) {
+    rows.push_back({std::string{column.name},
+                    fmt::format("{:.2f}", column.of(measures)),
+                    std::string{column.meaning}});
+  }
+  print_text_table(rows, "lrl");
+  const auto penetrations = ruler.penetrations();
+  fmt::print("parts lie in one another by at most {:.2f} mm\n", penetrations.worst());
+}
+
+ExitCode face(const FaceOptions& options) {
   if (options.list) return list_controls();
-  if (options.output.empty()) {
-    throw Error{"nothing to write; give -o FILE.png, or --list for the controls"};
+  if (options.output.empty() && !options.measure) {
+    throw Error{"nothing to do; give -o FILE.png, --measure, or --list for the controls"};
   }
   const auto asked = read_controls(options.controls);
   for (const auto& remark : asked.remarks) fmt::print(stderr, "bimodal: {}\n", remark);
+  const synth::Head head{asset("synth/assets/head")};
+  if (options.measure) print_measures(head, asked.pose);
+  if (options.output.empty()) return ExitCode::Done;
   const auto view = face_view(options.view);
   const auto appearance = face_appearance(options.appearance, view);
-  const synth::Head head{asset("synth/assets/head")};
   synth::HeadRenderer renderer{head, view, appearance};
   Image image;
   renderer.draw(asked.pose, image);
@@ -94,6 +112,7 @@ void add_face(CLI::App& app, Verb& chosen) {
       "Examples:\n"
       "  bimodal face --controls jaw=8,lip_width=-10 -o x.png\n"
       "  bimodal face --list                                      what can be set\n"
+      "  bimodal face --controls jaw=3,lower_lip_tuck=1 --measure  lips, teeth and tongue in mm\n"
       "  bimodal face --controls jaw=6 --view side --transparency 0.6 -o inside.png\n"
       "  bimodal face --view side --section 0 --controls tongue_tip=9 -o section.png\n"
       "  bimodal face --show lips --material high-contrast --view mouth -o lips.png");
@@ -104,6 +123,7 @@ void add_face(CLI::App& app, Verb& chosen) {
       ->delimiter(',');
   verb->add_option("-o,--output", options->output, "PNG file to write")
       ->check(in_a_folder_that_exists());
+  verb->add_flag("--measure", options->measure, "prints what of the mouth can be lipread, in mm");
   verb->add_flag("--list", options->list, "prints all controls, their ranges and meanings");
   add_view_options(*verb, options->view);
   add_appearance_options(*verb, options->appearance);
@@ -119,7 +139,7 @@ void add_face(CLI::App& app, Verb& chosen) {
                            ->check(CLI::Range(1.0, 1e5));
   distance->needs(height);
   height->needs(distance);
-  verb->callback([options, &chosen] { chosen = [options] { return draw(*options); }; });
+  verb->callback([options, &chosen] { chosen = [options] { return face(*options); }; });
 }
 
 }  // namespace bimodal::runner

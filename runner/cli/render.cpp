@@ -1,129 +1,134 @@
 #include <algorithm>
-#include <filesystem>
+#include <memory>
 #include <optional>
-#include <span>
-#include <sstream>
-#include <variant>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "runner/cli/face_appearance.hpp"
 #include "runner/cli/face_view.hpp"
+#include "runner/cli/interrupt.hpp"
+#include "runner/cli/option_checks.hpp"
+#include "runner/cli/render_files.hpp"
+#include "runner/cli/render_output.hpp"
+#include "runner/cli/seen_speech.hpp"
+#include "runner/cli/spoken_score.hpp"
 #include "runner/cli/verbs.hpp"
-#include "runner/preparation/repertoire.hpp"
 #include "stimuli/audio/sound_file.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
-#include "stimuli/base/lower_case.hpp"
-#include "stimuli/picture/drawing.hpp"
-#include "stimuli/timeline/ambiguous_word.hpp"
-#include "stimuli/words/dictionary.hpp"
-#include "synth/face/head.hpp"
-#include "synth/render/head_renderer.hpp"
-#include "synth/speech/articulation.hpp"
+#include "stimuli/base/obstacle.hpp"
 
 namespace bimodal::runner {
 
 namespace {
 
+constexpr auto kVoice = "voice";  ///< what --audio without a file stands for
+
 struct RenderOptions {
-  std::string word;
-  std::string phones;
-  std::string voice = "kal";
-  std::string strip;
-  std::string frames;
-  std::string sound;
+  SpokenOptions spoken;
+  std::string account = "dominance";
+  std::vector<std::string> outputs;
+  std::optional<std::string> audio;
+  std::optional<double> at_ms;
+  std::string fps = "60";
+  std::optional<int> rate_factor;
   ViewOptions view;
-  double rate_hz = 60.0;
+  AppearanceOptions appearance;
 };
 
-SpelledSegments pronunciation(const RenderOptions& options) {
-  if (options.phones.empty()) {
-    const Dictionary dictionary{Dictionary::installed()};
-    const auto found = dictionary.pronunciations(lower_case(options.word));
-    if (found.empty()) {
-      throw Error{
-          fmt::format("the dictionary has no pronunciation of '{}'; give one: "
-                      "--phones \"S T UW\"",
-                      options.word)};
-    }
-    return {.phones = found.front(), .articulation = {}};
-  }
-  std::vector<Segment> segments;
-  std::istringstream symbols{options.phones};
-  for (std::string one; symbols >> one;) {
-    const auto read = parse_sound(one);
-    if (const auto* const fault = std::get_if<SegmentFault>(&read)) {
-      throw Error{fmt::format("{}; {}", fault->finding, fault->remedy)};
-    }
-    segments.push_back(std::get<Segment>(read));
-  }
-  if (segments.empty()) throw Error{"--phones is empty; give e.g. --phones \"S T UW\""};
-  return spelled(segments);
+/// A text that stands behind --audio is taken for its file.
+std::string audio_fault(const std::string& text) {
+  if (text == kVoice) return {};
+  const auto why = obstacle(text);
+  return why ? "'" + text + "': " + *why +
+                   "; give a WAV or FLAC file, or --audio last for the voice"
+             : std::string{};
 }
 
-/// Pictures of one size side by side.
-Image beside(const std::vector<Image>& pictures) {
-  const auto width = pictures.front().width;
-  auto strip = blank_image(width * pictures.size(), pictures.front().height, {});
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    paste(strip, {static_cast<std::int64_t>(i * width), 0}, pictures[i]);
-  }
-  return strip;
+std::string rate_fault(const std::string& text) {
+  if (parse_frame_rate(text)) return {};
+  return "'" + text + "' is no frame rate from 1 to 1000; give e.g. 60, 29.97 or 30000/1001";
 }
 
-void write_strip(const RenderOptions& options,
-                 std::span<const TimedSegment> segments,
-                 const synth::Articulation& articulation,
-                 synth::HeadRenderer& renderer) {
-  std::vector<Image> pictures;
-  for (const auto& timed : segments) {
-    renderer.draw(articulation.at(timed.centre()), pictures.emplace_back());
-    fmt::print("  {:<5} {:>7.1f} ms\n", symbol(timed.segment), timed.centre().count());
+std::vector<RenderOutput> outputs_of(const RenderOptions& options) {
+  std::vector<RenderOutput> outputs;
+  for (const auto& name : options.outputs) {
+    outputs.push_back(render_output(name, options.at_ms.has_value()));
   }
-  write_png(beside(pictures), options.strip);
-  fmt::print("{}: {} pictures, one at the centre of each phone\n", options.strip, pictures.size());
+  return outputs;
 }
 
-void write_frames(const RenderOptions& options,
-                  const synth::Articulation& articulation,
-                  synth::HeadRenderer& renderer) {
-  std::filesystem::create_directories(options.frames);
-  const auto poses = articulation.sample(Hertz{options.rate_hz});
-  Image image;
-  for (std::size_t frame = 0; frame < poses.size(); ++frame) {
-    renderer.draw(poses[frame], image);
-    write_png(image, std::filesystem::path{options.frames} / fmt::format("frame{:04}.png", frame));
+bool has(const std::vector<RenderOutput>& outputs, RenderOutput::Kind kind) {
+  return std::ranges::find(outputs, kind, &RenderOutput::kind) != outputs.end();
+}
+
+/// What was asked for in vain is told before long work begins.
+void refuse_idle_options(const RenderOptions& options, const std::vector<RenderOutput>& outputs) {
+  const auto refuse = [](std::string_view option, std::string_view reason) {
+    throw Error{fmt::format("{} has no effect: {}; leave it out", option, reason)};
+  };
+  using Kind = RenderOutput::Kind;
+  const bool takes_sound = std::ranges::any_of(outputs, &RenderOutput::has_sound);
+  const bool speaks = has(outputs, Kind::Sound) && options.audio == kVoice;
+  if (options.audio && !takes_sound && !speaks) refuse("--audio", "only .mp4 and .webm have sound");
+  if (options.at_ms && !has(outputs, Kind::Still)) refuse("--at", "only one .png shows an instant");
+  if (!options.rate_factor) return;
+  const auto* factor = std::ranges::max(outputs, {}, [](const RenderOutput& output) {
+                         return output.form != nullptr && output.form->factor;
+                       }).form;
+  if (factor == nullptr || !factor->factor) refuse("--crf", "only .mp4 and .webm are coded by it");
+}
+
+/// Tracks say themselves what the face does.
+void refuse_options_of_speech(const RenderOptions& options) {
+  const SpokenOptions none;
+  const auto& spoken = options.spoken;
+  if (!spoken.method && !spoken.from && !spoken.voice && spoken.rate == none.rate &&
+      spoken.segments == none.segments && options.account == RenderOptions{}.account) {
+    return;
   }
-  fmt::print("{}: {} frames at {:g} frames/s\n", options.frames, poses.size(), options.rate_hz);
+  throw Error{fmt::format(
+      "'{}' holds tracks, which are drawn as they are; leave out --method, --from, --voice, "
+      "--rate, --segments and --account, or give them to 'bimodal tracks'",
+      spoken.text)};
+}
+
+SeenSpeech seen_speech(const RenderOptions& options, bool voiced) {
+  if (!names_tracks(options.spoken.text)) {
+    return articulated_speech(options.spoken, account_from_name(options.account).value(), voiced);
+  }
+  refuse_options_of_speech(options);
+  if (voiced) {
+    throw Error{fmt::format(
+        "no voice says the tracks '{}'; give a sound of your own by --audio FILE.wav, or none",
+        options.spoken.text)};
+  }
+  return tracked_speech(options.spoken.text);
 }
 
 ExitCode render(const RenderOptions& options) {
-  if (options.strip.empty() && options.frames.empty() && options.sound.empty()) {
-    throw Error{"nothing to write; give --strip FILE.png, --frames FOLDER or --sound FILE.wav"};
+  stop_at_interrupt();
+  const auto outputs = outputs_of(options);
+  refuse_idle_options(options, outputs);
+  for (const auto& output : outputs) require_place_for(output);
+  const bool voiced = options.audio == kVoice || has(outputs, RenderOutput::Kind::Sound);
+  std::optional<Clip> own_sound;
+  if (options.audio && options.audio != kVoice) {
+    own_sound = read_sound(*options.audio, Channels::MixDown);
   }
-  const std::map<std::string, Corpus> no_corpora;
-  Repertoire repertoire{Hertz{48'000}, no_corpora};
-  const auto said = pronunciation(options);
-  if (!options.sound.empty() && !said.articulation.empty()) {
-    throw Error{
-        fmt::format("the voice cannot say \"{}\", which has ambiguous sounds; leave --sound out",
-                    spell(said.articulation))};
-  }
-  const auto& spoken = repertoire.perform("festival:" + options.voice,
-                                          SeenWord{options.word, said.phones, said.articulation});
-  if (!options.sound.empty()) {
-    write_wav(options.sound, spoken.sound);
-    fmt::print("{}: spoken by {}\n", options.sound, options.voice);
-  }
-  if (options.strip.empty() && options.frames.empty()) return ExitCode::Done;
-  const synth::SegmentTable segments{asset("synth/assets/segments/english.json")};
-  const auto articulated = bimodal::articulated(spoken.utterance, said.articulation);
-  const synth::Articulation articulation{articulated, segments};
+  const auto seen = seen_speech(options, voiced);
+  const Clip* sound = own_sound ? &*own_sound : options.audio ? &seen.sound.value() : nullptr;
+  const auto view = face_view(options.view);
+  const RenderStyle style{
+      .view = view,
+      .appearance = face_appearance(options.appearance, view),
+      .rate = parse_frame_rate(options.fps).value(),
+      .rate_factor = options.rate_factor,
+      .instant = options.at_ms ? std::optional{Milliseconds{*options.at_ms}} : std::nullopt};
   const synth::Head head{asset("synth/assets/head")};
-  synth::HeadRenderer renderer{head, face_view(options.view)};
-  if (!options.strip.empty()) write_strip(options, articulated, articulation, renderer);
-  if (!options.frames.empty()) write_frames(options, articulation, renderer);
+  for (const auto& output : outputs) write_rendered(output, seen, sound, head, style);
   return ExitCode::Done;
 }
 
@@ -132,25 +137,52 @@ ExitCode render(const RenderOptions& options) {
 void add_render(CLI::App& app, Verb& chosen) {
   auto* const verb = app.add_subcommand(
       "render",
-      "Lets the face say a word, as pictures.\n\n"
+      "Lets the face say a text, a transcription or a score, or do what tracks say, as a film or\n"
+      "pictures. What is written is said by how its name ends:\n"
+      "  .mp4 (H.264, AAC), .webm (VP9, Opus)   a film; sound begins with the first picture\n"
+      "  .gif                                   without sound; a frame lasts whole hundredths of\n"
+      "                                         a second, so that 60 a second become 50\n"
+      "  .png                                   one picture at the centre of each phone, side by\n"
+      "                                         side; with --at, the face at that instant\n"
+      "  %04d.png, or a folder (ends with /)    one picture a frame\n"
+      "  .wav                                   the voice alone\n"
+      "Without a voice, phones have their intrinsic durations; with one, Festival times them.\n"
+      "Exit code: 0 done, 3 errors.\n\n"
       "Examples:\n"
-      "  bimodal render stew --strip stew.png            one picture a phone\n"
-      "  bimodal render stew --frames stew --sound stew.wav\n"
-      "  bimodal render blick --phones \"B L IH K\" --strip blick.png --view mouth\n"
-      "  bimodal render between --phones \"B~W:3/8 AA\" --strip between.png");
+      "  bimodal render \"Temporary food, stew.\" --audio -o stew.mp4\n"
+      "  bimodal render stew -o stew.png --view mouth          one picture a phone\n"
+      "  bimodal render stew -o stew.webm -o stew.wav --audio --voice slt --fps 29.97\n"
+      "  bimodal render --from arpabet \"B~W:3/8 AA\" -o between.gif --height 360\n"
+      "  bimodal render tracks.csv --audio mine.wav -o mine.mp4 --size 1280x720\n"
+      "  bimodal render score.json -o frames/ --fps 25");
   auto options = std::make_shared<RenderOptions>();
-  verb->add_option("WORD", options->word, "a word of the dictionary, or any name with --phones")
-      ->required();
-  verb->add_option("--phones",
-                   options->phones,
-                   "its pronunciation in ARPAbet; \"B~W:3/8\" is step 3 of 8 from B to W");
-  verb->add_option("--voice", options->voice, "Festival's voice that times it: kal (default), slt")
-      ->check(CLI::IsMember({"kal", "slt"}));
-  verb->add_option("--strip", options->strip, "PNG file: one picture at the centre of each phone");
-  verb->add_option("--frames", options->frames, "folder for one PNG a frame");
-  verb->add_option("--sound", options->sound, "WAV file of the spoken word");
-  verb->add_option("--rate", options->rate_hz, "frames a second (60)")->check(CLI::Range(1, 1000));
+  add_spoken_options(*verb, options->spoken);
+  verb->get_option("SCORE|TEXT")
+      ->description(
+          "a text; a transcription with --from; a score (.json); or tracks (.csv, .json)");
+  add_account_option(*verb, options->account);
+  verb->add_option("-o,--output", options->outputs, "what to write; may be given several times")
+      ->required()
+      ->allow_extra_args(false);
+  verb->add_option("--audio",
+                   options->audio,
+                   "with the voice; or, with a file (WAV, FLAC), with a sound of your own, which "
+                   "begins with the face")
+      ->expected(0, 1)
+      ->default_str(kVoice)
+      ->check(CLI::Validator{[](std::string& text) { return audio_fault(text); }, ""})
+      ->type_name("[FILE]");
+  verb->add_option("--at", options->at_ms, "instant in ms of the one picture in a .png")
+      ->check(finite_number());
+  verb->add_option("--fps", options->fps, "frames a second (60): e.g. 25, 29.97 or 30000/1001")
+      ->check(CLI::Validator{[](std::string& text) { return rate_fault(text); }, ""})
+      ->type_name("RATE");
+  verb->add_option("--crf",
+                   options->rate_factor,
+                   "how coarse films are coded: 0 (finest) to 51 in .mp4 (16), to 63 in .webm (18)")
+      ->check(CLI::Range(0, 63));
   add_view_options(*verb, options->view);
+  add_appearance_options(*verb, options->appearance);
   verb->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }
 

@@ -40,6 +40,7 @@ struct RunOptions {
   bool no_practice = false;
   bool windowed = false;
   bool again = false;
+  bool no_cache = false;
 };
 
 /// The devices of a real session, in the order in which they must be closed.
@@ -98,7 +99,7 @@ PreparationQueue::Prepare make_prepare(const protocols::ReadProtocol& read,
                                        const std::vector<protocols::PlannedTrial>& plan,
                                        Repertoire& repertoire,
                                        Hertz drawing_rate,
-                                       const std::string& file) {
+                                       const RunOptions& options) {
   struct Workshop {
     std::optional<FilmStudio> studio;
     std::optional<TrialPreparer> preparer;
@@ -106,9 +107,12 @@ PreparationQueue::Prepare make_prepare(const protocols::ReadProtocol& read,
 
   const auto& protocol = read.protocol;
   auto workshop = std::make_shared<Workshop>();
-  workshop->studio.emplace(protocol.window, read.corpora);
+  std::optional<FilmCache> cache;
+  const auto folder = film_cache_folder();
+  if (folder && !options.no_cache) cache.emplace(*folder);
+  workshop->studio.emplace(protocol.window, read.corpora, std::move(cache));
   workshop->preparer.emplace(protocol, repertoire, &*workshop->studio, drawing_rate);
-  const auto found = check_sounds(read, plan, *workshop->preparer, file);
+  const auto found = check_sounds(read, plan, *workshop->preparer, options.protocol.named);
   if (has_errors(found)) throw Error{describe(found.front())};
   return [workshop](const protocols::PlannedTrial& trial, const Checkpoint& checkpoint) {
     return workshop->preparer->prepare(trial, checkpoint);
@@ -172,8 +176,7 @@ ExitCode run(const RunOptions& options) {
   Repertoire repertoire{protocol.sound.rate, read->corpora};
   const auto drawing_rate = drawing_rate_for(devices->display->refresh().period);
   PreparationQueue queue{
-      plan,
-      [&] { return make_prepare(*read, plan, repertoire, drawing_rate, options.protocol.named); }};
+      plan, [&] { return make_prepare(*read, plan, repertoire, drawing_rate, options); }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     auto record = session_record(*read, options.participant, key);
     record.simulated_answers = simulated;
@@ -246,6 +249,10 @@ void add_run(CLI::App& app, Verb& chosen) {
       ->check(whole_number_from(1));
   verb->add_flag("--no-practice", options->no_practice, "leave out the practice");
   verb->add_flag("--windowed", options->windowed, "a window, whatever the protocol says");
+  verb->add_flag(
+      "--no-cache",
+      options->no_cache,
+      "draws every film of the face, and keeps none in ~/.cache/bimodal ($BIMODAL_CACHE)");
   verb->add_flag("--again", options->again, "although this participant has this session already");
   verb->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -164,7 +164,8 @@ void add_segments(CLI::App& app, Verb& chosen) {
       "  bimodal segments check                          the English inventory: sources, contacts\n"
       "  bimodal segments check mine.json                one of your own\n"
       "  bimodal segments show B -o b.svg                every value of B, and its dominance\n"
-      "  bimodal segments slopes                         coarticulation beside measured talkers");
+      "  bimodal segments slopes                         coarticulation beside measured talkers\n"
+      "  bimodal segments contacts --every 50            lips, teeth and tongue of the drawn face");
   verb->require_subcommand(1);
 
   auto* const checking = verb->add_subcommand(
@@ -189,6 +190,7 @@ void add_segments(CLI::App& app, Verb& chosen) {
   sloping->callback([segments, &chosen] { chosen = [segments] { return slopes(*segments); }; });
 
   add_segments_show(*verb, chosen);
+  add_segments_contacts(*verb, chosen);
 }
 
 }  // namespace bimodal::runner

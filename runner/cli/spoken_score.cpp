@@ -1,11 +1,13 @@
 #include "runner/cli/spoken_score.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/said_text.hpp"
+#include "stimuli/audio/time_scale.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/lower_case.hpp"
 #include "stimuli/timeline/inventory_file.hpp"
@@ -21,10 +23,16 @@ std::vector<TimedSegment> timed_phones(const std::vector<Phone>& phones) {
   return synth::timed(std::vector<Segment>(phones.begin(), phones.end()));
 }
 
-std::vector<TimedSegment> timed_by_festival(const SpokenOptions& options) {
-  const auto item = synth::Voice{options.voice.value_or("kal")}.speak(ascii_text(options.text));
+/// Without `phones`, Festival reads the text.
+synth::SpokenItem said_by_festival(const SpokenOptions& options,
+                                   const std::vector<Phone>& phones = {}) {
+  const synth::Voice voice{options.voice.value_or("kal")};
+  return voice.speak(phones.empty() ? ascii_text(options.text) : options.text, phones);
+}
+
+std::vector<TimedSegment> segments_of(const Utterance& utterance) {
   std::vector<TimedSegment> segments;
-  for (const auto& phone : item.utterance.phones) {
+  for (const auto& phone : utterance.phones) {
     segments.push_back({.segment = phone.phone, .start = phone.start, .duration = phone.duration});
   }
   return segments;
@@ -35,7 +43,7 @@ std::vector<TimedSegment> timed_segments(const SpokenOptions& options) {
   const auto method = options.method.value_or("dictionary");
   if (from == "arpabet") return synth::typed_segments(options.text);
   if (from != "text") return timed_phones(read_phones(options.text, notation_named(from)));
-  if (method == "festival") return timed_by_festival(options);
+  if (method == "festival") return segments_of(said_by_festival(options).utterance);
   return timed_phones(joined(said_words(options.text, method)));
 }
 
@@ -123,6 +131,63 @@ synth::Score spoken_score(const SpokenOptions& options) {
   return synth::at_rate(
       is_score ? score_of_file(options.text) : synth::score_of(timed_segments(options)),
       options.rate);
+}
+
+namespace {
+
+/// What a voice is to say of a transcription with typed durations and ambiguous sounds.
+std::vector<Phone> phones_to_say(const std::string& text) {
+  const auto segments = synth::typed_segments(text);
+  std::vector<Segment> plain;
+  for (const auto& timed : segments) {
+    if (timed.segment.is_ambiguous()) {
+      throw Error{fmt::format("no voice can say the ambiguous sound {}; leave the voice out",
+                              symbol(timed.segment))};
+    }
+    plain.push_back(timed.segment);
+  }
+  const auto own = synth::timed(plain);
+  if (!std::ranges::equal(segments, own, {}, &TimedSegment::duration, &TimedSegment::duration)) {
+    throw Error{fmt::format(
+        "the voice times \"{}\" itself; leave durations and stress out, or the voice", text)};
+  }
+  std::vector<Phone> phones;
+  for (const auto& segment : plain) phones.push_back(segment.from);
+  return phones;
+}
+
+/// Without the rest around, which a voice adds.
+std::vector<Phone> without_margins(std::vector<Phone> phones) {
+  const auto is_sound = [](Phone phone) { return phone != Phone::Rest; };
+  phones.erase(phones.begin(), std::ranges::find_if(phones, is_sound));
+  while (!phones.empty() && !is_sound(phones.back())) phones.pop_back();
+  return phones;
+}
+
+}  // namespace
+
+VoicedScore voiced_score(const SpokenOptions& options) {
+  if (names_score(options.text)) {
+    throw Error{fmt::format(
+        "no voice says the score '{}'; give a sound of your own, or leave the voice out",
+        options.text)};
+  }
+  if (options.method.value_or("festival") != "festival") {
+    throw Error{fmt::format(
+        "what is read by --method {} has no voice; leave the method out, and Festival reads and "
+        "times the text, or leave the voice out",
+        *options.method)};
+  }
+  const auto from = options.from.value_or("text");
+  if (from != "text" && options.method) refuse_idle_options(options, false);
+  std::vector<Phone> phones;
+  if (from == "arpabet") phones = without_margins(phones_to_say(options.text));
+  if (from == "ipa" || from == "xsampa") {
+    phones = without_margins(read_phones(options.text, notation_named(from)));
+  }
+  const auto item = said_by_festival(options, phones);
+  return {.score = synth::at_rate(synth::score_of(segments_of(item.utterance)), options.rate),
+          .sound = change_rate(item.sound, options.rate)};
 }
 
 }  // namespace bimodal::runner

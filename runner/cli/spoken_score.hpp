@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "stimuli/audio/clip.hpp"
 #include "synth/speech/score.hpp"
 
 namespace bimodal::runner {
@@ -34,5 +35,16 @@ void add_account_option(CLI::App& verb, std::string& account);
 /// text is said by the dictionary, by rules or by Festival, a transcription is taken as it is.
 /// Tells on standard error which words the dictionary lacks. Throws Error if it cannot be said.
 [[nodiscard]] synth::Score spoken_score(const SpokenOptions& options);
+
+/// A score and the voice that says it.
+struct VoicedScore {
+  synth::Score score;
+  Clip sound;  ///< as long as the score, but for rounding
+};
+
+/// As spoken_score, but Festival says and times it: a text as it reads it, a transcription phone by
+/// phone. Throws Error also for what no voice says: a score, ambiguous sounds, durations of one's
+/// own, phones read by another method.
+[[nodiscard]] VoicedScore voiced_score(const SpokenOptions& options);
 
 }  // namespace bimodal::runner

@@ -1,5 +1,8 @@
 #include "runner/preparation/film_studio.hpp"
 
+#include <utility>
+
+#include "runner/preparation/film_key.hpp"
 #include "runner/preparation/natural_talker.hpp"
 #include "stimuli/timeline/inventory_file.hpp"
 
@@ -23,23 +26,52 @@ const synth::SegmentTable& FilmStudio::table(const std::string& file) {
   return tables_.emplace(file, synth::SegmentTable{inventory_file(file)}).first->second;
 }
 
+Film FilmStudio::drawn_film_of_face(const Scene& scene,
+                                    const protocols::Articulating& articulating,
+                                    const Checkpoint& checkpoint) {
+  auto talker =
+      face(scene.look)
+          .say(scene.enactment.articulation, table(articulating.segments), articulating.account);
+  const auto shown = with_look(std::move(talker), scene.look);
+  return make_film(scene.layout, scene.drawing_rate, *shown, checkpoint, scene.cut);
+}
+
+Film FilmStudio::film_of_face(const Scene& scene,
+                              const protocols::Articulating& articulating,
+                              const Checkpoint& checkpoint) {
+  if (!cache_) return drawn_film_of_face(scene, articulating, checkpoint);
+  if (drawing_.empty()) drawing_ = drawing_identity();
+  const auto key = film_key({.drawing = drawing_,
+                             .articulation = scene.enactment.articulation,
+                             .table_sha256 = table(articulating.segments).sha256(),
+                             .account = articulating.account,
+                             .look = scene.look,
+                             .layout = scene.layout,
+                             .drawing_rate = scene.drawing_rate,
+                             .cut = scene.cut});
+  if (auto kept = cache_->find(key, checkpoint)) return std::move(*kept);
+  auto film = drawn_film_of_face(scene, articulating, checkpoint);
+  cache_->keep(key, film, checkpoint);
+  return film;
+}
+
 Film FilmStudio::film(const protocols::Condition& condition,
                       const Enactment& enactment,
                       const StimulusLayout& layout,
                       Hertz drawing_rate,
                       const Checkpoint& checkpoint) {
   const auto& look = look_of(condition);
-  auto source = enactment.picture_source
-                    ? natural_talker(enactment, look.lines, drawing_rate, checkpoint)
-                    : face(look).say(enactment.articulation,
-                                     table(condition.articulating.segments),
-                                     condition.articulating.account);
-  const auto shown = with_look(std::move(source), look);
   std::optional<Cut> cut;
   if (enactment.gate) {
     cut = Cut{.at = *enactment.gate,
               .blank = condition.manner.gate->picture == protocols::AfterGate::Blank};
   }
+  if (!enactment.picture_source) {
+    return film_of_face(
+        {look, enactment, layout, drawing_rate, cut}, condition.articulating, checkpoint);
+  }
+  const auto shown =
+      with_look(natural_talker(enactment, look.lines, drawing_rate, checkpoint), look);
   return make_film(layout, drawing_rate, *shown, checkpoint, cut);
 }
 

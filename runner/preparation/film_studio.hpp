@@ -8,6 +8,7 @@
 #include "protocols/model/protocol.hpp"
 #include "runner/preparation/enactment.hpp"
 #include "runner/preparation/face_talker.hpp"
+#include "runner/preparation/film_cache.hpp"
 #include "runner/preparation/frame_source.hpp"
 #include "runner/preparation/shown_look.hpp"
 #include "synth/speech/segment_table.hpp"
@@ -15,12 +16,16 @@
 namespace bimodal::runner {
 
 /// Makes the films of a protocol's trials: lets the face or the natural talker act, in the look
-/// that the condition asks for. Belongs to one thread (its faces own OpenGL contexts).
+/// that the condition asks for. Films of the face are taken from a cache, if there is one that has
+/// them, and kept there; then nothing is drawn. Belongs to one thread (its faces own OpenGL
+/// contexts).
 class FilmStudio {
  public:
-  /// Both are borrowed.
-  FilmStudio(const protocols::Window& window, const std::map<std::string, Corpus>& corpora)
-      : window_{window}, corpora_{corpora} {}
+  /// The first two are borrowed.
+  FilmStudio(const protocols::Window& window,
+             const std::map<std::string, Corpus>& corpora,
+             std::optional<FilmCache> cache = std::nullopt)
+      : window_{window}, corpora_{corpora}, cache_{std::move(cache)} {}
 
   /// Throws Error if the talker cannot be drawn or decoded.
   [[nodiscard]] Film film(const protocols::Condition& condition,
@@ -33,11 +38,29 @@ class FilmStudio {
   [[nodiscard]] const ShownLook& look_of(const protocols::Condition& condition);
 
  private:
+  /// Of one condition and enactment.
+  struct Scene {
+    const ShownLook& look;
+    const Enactment& enactment;
+    const StimulusLayout& layout;
+    Hertz drawing_rate;
+    std::optional<Cut> cut;
+  };
+
+  /// As the cache has it, or drawn and kept.
+  [[nodiscard]] Film film_of_face(const Scene& scene,
+                                  const protocols::Articulating& articulating,
+                                  const Checkpoint& checkpoint);
+  [[nodiscard]] Film drawn_film_of_face(const Scene& scene,
+                                        const protocols::Articulating& articulating,
+                                        const Checkpoint& checkpoint);
   [[nodiscard]] FaceTalker& face(const ShownLook& look);
   [[nodiscard]] const synth::SegmentTable& table(const std::string& file);
 
   const protocols::Window& window_;
   const std::map<std::string, Corpus>& corpora_;
+  std::optional<FilmCache> cache_;
+  std::string drawing_;  ///< drawing_identity(), once it has been asked for
   std::map<std::pair<std::size_t, std::uint32_t>, std::unique_ptr<FaceTalker>> faces_;
   std::map<std::string, synth::SegmentTable> tables_;  ///< by their files
   std::map<std::string, ShownLook> looks_;             ///< by the condition's name

@@ -4,8 +4,8 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
@@ -43,7 +43,12 @@ std::string read_file(const std::filesystem::path& file) {
     throw Error{fmt::format(
         "cannot read '{}': {}; check the path and its permissions", file.string(), why)};
   }
-  std::string content{std::istreambuf_iterator<char>{stream}, std::istreambuf_iterator<char>{}};
+  std::string content;
+  std::vector<char> part(std::size_t{1} << 16U);
+  do {
+    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+    content.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  } while (stream);
   if (stream.bad()) throw Error{fmt::format("cannot read '{}' to its end", file.string())};
   return content;
 }

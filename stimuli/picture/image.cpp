@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/lower_case.hpp"
 
 namespace bimodal {
 
@@ -40,26 +42,30 @@ bool is_opaque(const Image& image) {
 
 }  // namespace
 
-void write_png(const Image& image, const std::filesystem::path& file) {
+void write_png(const Image& image, const std::filesystem::path& file, Packing packing) {
   assert(image.width > 0 && image.height > 0);
   assert(image.pixels.size() == image.width * image.height * kBytesPerPixel);
-  if (file.extension() != ".png") {
+  if (lower_case(file.extension().string()) != ".png") {
     throw Error{
         fmt::format("'{}': pictures are written as PNG; end the name with .png", file.string())};
   }
+  Draft draft{file};
   png_image png = png_in_our_layout();
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);
+  if (packing == Packing::Fast) png.flags |= PNG_IMAGE_FLAG_FAST;
   constexpr int kEightBits = 0;
   constexpr int kRowsFromTheTop = 0;  // the stride that libpng works out itself, positive
   if (png_image_write_to_file(
-          &png, file.c_str(), kEightBits, image.pixels.data(), kRowsFromTheTop, nullptr) == 0) {
+          &png, draft.path().c_str(), kEightBits, image.pixels.data(), kRowsFromTheTop, nullptr) ==
+      0) {
     throw Error{fmt::format("cannot write the picture '{}' ({} x {}): {}",
                             file.string(),
                             image.width,
                             image.height,
                             complaint(png))};
   }
+  draft.keep();
 }
 
 Image read_png(const std::filesystem::path& file) {

@@ -20,10 +20,12 @@
 #include "synth/face/lip_tuck.hpp"
 #include "synth/face/mouth_loops.hpp"
 #include "synth/face/obj_reader.hpp"
+#include "synth/face/palate.hpp"
 #include "synth/face/rigid_part.hpp"
 #include "synth/face/stencils.hpp"
 #include "synth/face/teeth_obstacle.hpp"
 #include "synth/face/tongue.hpp"
+#include "synth/face/tongue_contact.hpp"
 
 namespace bimodal::synth {
 
@@ -31,19 +33,22 @@ namespace {
 
 constexpr int kSkinLevels = 2;
 
-Pose clamped(const Pose& pose) {
-  Pose result{};
-  for (const auto& control : controls()) {
-    const double wanted = value(pose, control.control);
-    value(result, control.control) = std::clamp(wanted, control.lowest, control.highest);
-  }
-  return result;
-}
-
 std::vector<double> x_of(std::span<const glm::dvec3> points) {
   std::vector<double> result;
   for (const auto& point : points) result.push_back(point.x);
   return result;
+}
+
+/// 1 in the mouth's loops below the corner, 0 above it and elsewhere.
+std::vector<double> on_lower_lip(const FieldTable& table) {
+  const auto columns = table.whole_numbers("mouth_column");
+  const auto rings = table.whole_numbers("mouth_ring");
+  std::vector<double> lower(table.rows());
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    if (rings[i] < MouthLoops::kFirstRing || rings[i] > MouthLoops::kLastRing) continue;
+    lower[i] = columns[i] == MouthLoops::kCorner ? 0.5 : (columns[i] > MouthLoops::kCorner ? 1 : 0);
+  }
+  return lower;
 }
 
 /// The head's files, read whole.
@@ -114,6 +119,7 @@ std::vector<RigidPart> rigid_parts(const HeadFiles& files) {
   parts.push_back(teeth_part(lower, LowerTeeth, heights.last(lower.vertices.size())));
   parts.push_back(subdivided(files.part("upper_gum"), Material::Gum, UpperTeeth, 1));
   parts.push_back(subdivided(files.part("lower_gum"), Material::Gum, LowerTeeth, 1));
+  parts.push_back(palate_part());
   parts.push_back(subdivided(files.part("left_ear"), Material::Skin, Head, 2));
   parts.push_back(subdivided(files.part("right_ear"), Material::Skin, Head, 2));
   for (auto& part : eye_parts(files.part("left_eye"), true)) parts.push_back(std::move(part));
@@ -141,17 +147,20 @@ struct Head::Rig {
         head_weight{skin.apply(files.fields.column("neck"))},
         rest_skin{drawn(skin, rest)},
         ruler{files.fields, mouth, rest_skin},
-        parts{rigid_parts(files)} {
+        parts{rigid_parts(files)},
+        tongue_contact{parts[0], parts[1]} {
     surfaces.push_back({.material = Material::Skin,
                         .triangles = skin.triangles(),
                         .rest_positions = rest_skin,
                         .lip = skin.apply(files.fields.column("lip")),
                         .wet = skin.apply(files.fields.column("wet")),
                         .scalp = skin.apply(files.fields.column("scalp")),
+                        .lower = skin.apply(on_lower_lip(files.fields)),
                         .special = skin.apply(files.fields.column("dark")),
                         .name = "skin"});
-    surfaces.push_back(unmasked(
-        Material::Tongue, tongue.triangles(), drawn(tongue, tongue_cage(neutral_pose(), {}))));
+    std::vector<glm::vec3> rest_tongue;
+    pose_tongue(neutral_pose(), {}, rest_tongue);
+    surfaces.push_back(unmasked(Material::Tongue, tongue.triangles(), std::move(rest_tongue)));
     surfaces.back().name = "tongue";
     surfaces.push_back(lashes.description(rest_skin));
     surfaces.back().name = "lashes";
@@ -183,20 +192,28 @@ struct Head::Rig {
     lids.close(lid, std::min(1.0, lid + value(pose, Control::RightLidClosure)), cage);
   }
 
+  void pose_tongue(const Pose& pose, const JawMotion& jaw, std::vector<glm::vec3>& drawn) const {
+    tongue.apply(tongue_cage(pose, jaw), drawn);
+    tongue_contact.yield_to(jaw, teeth_offset(pose), drawn);
+  }
+
+  [[nodiscard]] static glm::dvec3 teeth_offset(const Pose& pose) {
+    return {value(pose, Control::TeethX), 0.0, value(pose, Control::TeethZ)};
+  }
+
   [[nodiscard]] static RigidMotion carried(RigidPart::Carrier carrier,
                                            const Pose& pose,
                                            const JawMotion& jaw) {
     const double gaze_x = value(pose, Control::GazeX);
     const double gaze_y = value(pose, Control::GazeY);
-    RigidMotion teeth_offset;
-    teeth_offset.translation = {value(pose, Control::TeethX), 0.0, value(pose, Control::TeethZ)};
+    const RigidMotion offset{.translation = teeth_offset(pose)};
     switch (carrier) {
       case RigidPart::Carrier::Head:
         return {};
       case RigidPart::Carrier::UpperTeeth:
-        return teeth_offset;
+        return offset;
       case RigidPart::Carrier::LowerTeeth:
-        return teeth_offset.after(jaw.rigid());
+        return offset.after(jaw.rigid());
       case RigidPart::Carrier::LeftEye:
         return gaze(true, gaze_x, gaze_y);
       case RigidPart::Carrier::RightEye:
@@ -218,7 +235,8 @@ struct Head::Rig {
   std::vector<float> head_weight;
   std::vector<glm::vec3> rest_skin;
   LipRuler ruler;
-  std::vector<RigidPart> parts;
+  std::vector<RigidPart> parts;  ///< the upper teeth, the lower, the others
+  TongueContact tongue_contact;
   std::vector<SurfaceDescription> surfaces;
 };
 
@@ -233,7 +251,7 @@ std::span<const SurfaceDescription> Head::surfaces() const {
 }
 
 void Head::pose(const Pose& wanted, PosedHead& posed) const {
-  const Pose pose = clamped(wanted);
+  const Pose pose = within_range(wanted);
   const JawMotion jaw{.opening_deg = value(pose, Control::Jaw),
                       .thrust_mm = value(pose, Control::JawThrust)};
   const auto head = head_motion(pose);
@@ -251,7 +269,7 @@ void Head::pose(const Pose& wanted, PosedHead& posed) const {
   turn_skin(head, rig_->head_weight, skin.positions);
   quad_normals(skin.positions, rig_->skin.quads(), skin.normals);
 
-  rig_->tongue.apply(tongue_cage(pose, jaw), tongue.positions);
+  rig_->pose_tongue(pose, jaw, tongue.positions);
   quad_normals(tongue.positions, rig_->tongue.quads(), tongue.normals);
   turn(head, tongue);
 

@@ -41,10 +41,15 @@ Slits slits_of(const MouthLoops& mouth, std::span<const glm::vec3> skin) {
     for (int ring = kContact; ring <= kLastContact; ++ring) {
       slit.gap = std::min(slit.gap, static_cast<double>(upper(ring).y - lower(ring).y));
     }
-    if (slit.gap < kClosedMm) slit.gap = 0.0;
   }
   slits.back().x = static_cast<double>(skin[mouth.vertex(kContact, MouthLoops::kCorner, kSide)].x);
   return slits;
+}
+
+void shut_what_is_closed(Slits& slits) {
+  for (auto& slit : slits) {
+    if (slit.gap < kClosedMm) slit.gap = 0.0;
+  }
 }
 
 double area_between(const Slits& slits) {
@@ -82,6 +87,14 @@ LipRuler::LipRuler(const FieldTable& table,
   rest_upper_z_ = rest[mouth.vertex(kFullest, kUpper, Left)].z;
   rest_lower_z_ = rest[mouth.vertex(kFullest, kLower, Left)].z;
   rest_chin_y_ = rest[chin_].y;
+  rest_corner_ = corner(mouth, rest);
+}
+
+glm::vec3 LipRuler::corner(const MouthLoops& mouth, std::span<const glm::vec3> skin) {
+  using enum MouthLoops::Side;
+  const auto& left = skin[mouth.vertex(kBorder, MouthLoops::kCorner, Left)];
+  const auto& right = skin[mouth.vertex(kBorder, MouthLoops::kCorner, Right)];
+  return 0.5F * (left + glm::vec3{-right.x, right.y, right.z});
 }
 
 LipMeasures LipRuler::measure(const MouthLoops& mouth, std::span<const glm::vec3> skin) const {
@@ -89,7 +102,10 @@ LipMeasures LipRuler::measure(const MouthLoops& mouth, std::span<const glm::vec3
   const auto at = [&](int ring, int column, MouthLoops::Side side) {
     return skin[mouth.vertex(ring, column, side)];
   };
-  const auto slits = slits_of(mouth, skin);
+  auto slits = slits_of(mouth, skin);
+  const auto [smallest, largest] = std::ranges::minmax(slits, {}, &Slit::gap);
+  shut_what_is_closed(slits);
+  const glm::vec3 corner_moved = corner(mouth, skin) - rest_corner_;
   return {
       .inner_height_mm = slits.front().gap,
       .inner_width_mm = visible_width(slits),
@@ -100,7 +116,12 @@ LipMeasures LipRuler::measure(const MouthLoops& mouth, std::span<const glm::vec3
           static_cast<double>(at(kBorder, kUpper, Left).y - at(kBorder, kLower, Left).y),
       .upper_protrusion_mm = static_cast<double>(at(kFullest, kUpper, Left).z - rest_upper_z_),
       .lower_protrusion_mm = static_cast<double>(at(kFullest, kLower, Left).z - rest_lower_z_),
+      .corner_out_mm = static_cast<double>(corner_moved.x),
+      .corner_up_mm = static_cast<double>(corner_moved.y),
+      .corner_forward_mm = static_cast<double>(corner_moved.z),
       .chin_drop_mm = static_cast<double>(rest_chin_y_ - skin[chin_].y),
+      .largest_gap_mm = std::max(0.0, largest.gap),
+      .smallest_gap_mm = smallest.gap,
       .inner_centre = 0.5F * (at(kContact, kUpper, Left) + at(kContact, kLower, Left)),
   };
 }

@@ -24,10 +24,14 @@ class LipRuler {
   [[nodiscard]] LipMeasures measure(const MouthLoops& mouth, std::span<const glm::vec3> skin) const;
 
  private:
+  /// Mean of both corners, the right one mirrored.
+  [[nodiscard]] static glm::vec3 corner(const MouthLoops& mouth, std::span<const glm::vec3> skin);
+
   std::size_t chin_ = 0;
   float rest_upper_z_ = 0.0F;
   float rest_lower_z_ = 0.0F;
   float rest_chin_y_ = 0.0F;
+  glm::vec3 rest_corner_{};
 };
 
 }  // namespace bimodal::synth

@@ -23,12 +23,13 @@ constexpr std::array<double, 4> kBorderZ{99.3, 97.5, 93.0, 85.0};
 constexpr std::array<double, 10> kFollowing{0.0, 0.14, 0.34, 0.58, 0.80, 1.0, 1.0, 1.0, 1.0, 0.6};
 constexpr int kContactRing = 6;
 
-/// The edge of the upper teeth opposite a point of the lower lip, 0.4 mm in front of them.
+/// The edge of the upper teeth opposite a point of the lower lip, 1.25 mm in front of
+/// the arch, which their faces overhang by nearly as much.
 glm::dvec3 incisal_edge(double x) {
   const double lateral = std::abs(x);
   return {x,
           -76.4 + 0.033 * std::pow(std::max(0.0, lateral - 6.0), 1.2),
-          kUpperArch.z_at(std::min(lateral, 25.0)) + 0.4};
+          kUpperArch.z_at(std::min(lateral, 25.0)) + 1.25};
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ SurfaceDescription unmasked(Material material,
           .lip = std::vector<float>(count),
           .wet = std::vector<float>(count),
           .scalp = std::vector<float>(count),
+          .lower = std::vector<float>(count),
           .special = std::vector<float>(count)};
 }
 

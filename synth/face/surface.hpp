@@ -11,6 +11,19 @@ namespace bimodal::synth {
 
 enum class Material : std::uint8_t { Skin, Tooth, Gum, Tongue, Eye, Cornea, Lash };
 
+/// The places of those surfaces of the project's head that are looked for by name, in
+/// Head::surfaces() and PosedHead::surfaces; ears, eyes and what belongs to them follow.
+enum class HeadSurface : std::uint8_t {
+  Skin,
+  Tongue,
+  Lashes,
+  UpperTeeth,
+  LowerTeeth,
+  UpperGum,
+  LowerGum,
+  Palate,
+};
+
 /// What never changes about one part of the head. Millimetres; x = subject's left, y up, z forward;
 /// origin midway between the ear canals at pupil height.
 struct SurfaceDescription {
@@ -22,6 +35,7 @@ struct SurfaceDescription {
       lip;  ///< lip mask: 0 skin, 0.5 vermilion border, 1 vermilion, > 1.6 wet inside
   std::vector<float> wet;    ///< 1 in the mouth cavity
   std::vector<float> scalp;  ///< hair mask
+  std::vector<float> lower;  ///< in the mouth's loops: 0 the upper lip, 1 the lower; else 0
   std::vector<float>
       special;  ///< Skin: darkness of nostril and lid; Tooth: 0 incisal to 1 cervical
   std::string name =
@@ -43,8 +57,13 @@ struct LipMeasures {
   double outer_height_mm = 0.0;
   double upper_protrusion_mm = 0.0;  ///< forward of rest
   double lower_protrusion_mm = 0.0;
-  double chin_drop_mm = 0.0;  ///< below rest
-  glm::vec3 inner_centre{};   ///< centre of the opening, for the light inside the mouth
+  double corner_out_mm = 0.0;      ///< mean of both corners of the vermilion border, from rest
+  double corner_up_mm = 0.0;       ///< so too
+  double corner_forward_mm = 0.0;  ///< so too
+  double chin_drop_mm = 0.0;       ///< below rest
+  double largest_gap_mm = 0.0;     ///< along the whole slit; negative parts of gaps do not count
+  double smallest_gap_mm = 0.0;    ///< along the whole slit; negative: the lips lie in each other
+  glm::vec3 inner_centre{};        ///< centre of the opening, for the light inside the mouth
 };
 
 /// One posed head. Reused from frame to frame, so that posing allocates only once.
@@ -52,6 +71,10 @@ struct PosedHead {
   std::vector<SurfaceGeometry> surfaces;  ///< parallel to Head::surfaces()
   LipMeasures lips;
   std::vector<glm::dvec3> skin_cage;  ///< the posed control cage of the skin, before the head turns
+
+  [[nodiscard]] const SurfaceGeometry& at(HeadSurface name) const {
+    return surfaces[static_cast<std::size_t>(name)];
+  }
 };
 
 }  // namespace bimodal::synth

@@ -8,7 +8,6 @@
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "synth/face/dental_arch.hpp"
 #include "synth/face/smoothing.hpp"
 
 namespace bimodal::synth {
@@ -67,24 +66,6 @@ double signed_power(double base, double exponent) {
   return std::copysign(std::pow(std::abs(base), exponent), base);
 }
 
-/// Draws a point in, so that the tongue lies inside the lower teeth where it is low enough.
-void keep_inside_lower_arch(glm::dvec3& point) {
-  if (point.z >= 85.5) return;
-  constexpr std::array<double, 4> kZ{45.0, 60.0, 78.0, 87.0};
-  constexpr std::array<double, 4> kTeethAndMargin{8.0, 7.5, 6.0, 3.5};
-  const double limit =
-      std::max(6.0, kLowerArch.half_width_at(point.z) - interpolate(point.z, kZ, kTeethAndMargin));
-  const double low = 1.0 - smooth_step(-76.5, -73.5, point.y);
-  point.x -= std::copysign(std::max(0.0, std::abs(point.x) - limit) * low, point.x);
-}
-
-void keep_below_palate(glm::dvec3& point) {
-  if (point.z >= 88.0) return;
-  constexpr std::array<double, 6> kZ{30.0, 45.0, 62.0, 79.0, 87.0, 89.0};
-  constexpr std::array<double, 6> kPalate{-70.0, -61.5, -60.0, -63.5, -68.5, -76.0};
-  point.y = std::min(point.y, interpolate(point.z, kZ, kPalate) - 0.012 * point.x * point.x);
-}
-
 struct Section {
   glm::dvec2 centre;
   glm::dvec2 direction;
@@ -105,11 +86,75 @@ glm::dvec3 surface_point(const Section& section, std::size_t round) {
           section.centre.y - section.direction.x * height};
 }
 
+/// The gap between the incisors' edges, in the frame of the jaw; heights, mm.
+struct Gap {
+  double lower;
+  double upper;
+};
+
+Gap gap_between_teeth(const JawMotion& jaw) {
+  constexpr double kLowerEdge = -75.6;
+  constexpr glm::dvec3 kUpperEdge{0.0, -78.0, 92.0};
+  constexpr double kClear = 0.25;
+  return {.lower = kLowerEdge + kClear, .upper = jaw.undo(kUpperEdge).y - kClear};
+}
+
+/// The tongue's front finds its way: while the teeth are shut it stays behind them; where the tip
+/// is to come out, it comes out between them.
+class Passage {
+ public:
+  Passage(const JawMotion& jaw, double tip_z)
+      : gap_{gap_between_teeth(jaw)},
+        open_{smooth_step(kShut, kOpen, gap_.upper - gap_.lower)},
+        out_{open_ * smooth_step(kBehind, kOutside, tip_z)},
+        shorter_{tip_z > kBehind ? (kBehind - kFree) / (tip_z - kFree) : 1.0} {}
+
+  void guide(glm::dvec2& point, double half_thickness) const {
+    if (point.y > kFree) {
+      const double shortened = kFree + (point.y - kFree) * shorter_;
+      point.y += (1.0 - open_) * (shortened - point.y);
+    }
+    const double middle = 0.5 * (gap_.lower + gap_.upper);
+    const double room = std::max(0.0, 0.5 * (gap_.upper - gap_.lower) - half_thickness);
+    const double wanted = std::clamp(point.x, middle - room, middle + room);
+    point.x += near_teeth(point.y) * (wanted - point.x);
+  }
+
+  [[nodiscard]] double half_thickness(double wanted, double z) const {
+    const double most = std::max(0.5, 0.5 * (gap_.upper - gap_.lower));
+    return wanted + near_teeth(z) * (std::min(wanted, most) - wanted);
+  }
+
+ private:
+  // mm between the edges
+  static constexpr double kShut = 0.6;
+  static constexpr double kOpen = 1.8;
+  // z in the jaw's frame
+  static constexpr double kFree = 78.0;
+  static constexpr double kBehind = 86.8;
+  static constexpr double kOutside = 90.0;
+
+  [[nodiscard]] double near_teeth(double z) const { return out_ * smooth_step(kFree, kBehind, z); }
+
+  Gap gap_;
+  double open_;
+  double out_;
+  double shorter_;
+};
+
 }  // namespace
 
 TongueCage tongue_cage(const Pose& pose, const JawMotion& jaw) {
+  std::array<double, kTongueStations> half_thickness{};
   Midline midline;
-  for (std::size_t i = 0; i < kTongueStations; ++i) midline[i] = midline_point(pose, along(i));
+  const Passage passage{jaw, midline_point(pose, 1.0).y};
+  for (std::size_t i = 0; i < kTongueStations; ++i) {
+    midline[i] = midline_point(pose, along(i));
+    half_thickness.at(i) = passage.half_thickness(
+        value(pose, Control::TongueThickness) * interpolate(along(i), kAlong, kHalfThickness),
+        midline[i].y);
+    passage.guide(midline[i], half_thickness.at(i));
+  }
 
   TongueCage cage;
   for (std::size_t i = 0; i < kTongueStations; ++i) {
@@ -118,8 +163,7 @@ TongueCage tongue_cage(const Pose& pose, const JawMotion& jaw) {
         .centre = midline[i],
         .direction = direction(midline, i),
         .half_width = value(pose, Control::TongueWidth) * interpolate(t, kAlong, kHalfWidth),
-        .half_thickness =
-            value(pose, Control::TongueThickness) * interpolate(t, kAlong, kHalfThickness)};
+        .half_thickness = half_thickness.at(i)};
     for (std::size_t j = 0; j < kTongueRound; ++j) {
       cage.at(i * kTongueRound + j) = surface_point(section, j);
     }
@@ -129,9 +173,7 @@ TongueCage tongue_cage(const Pose& pose, const JawMotion& jaw) {
 
   for (std::size_t i = 0; i < kTongueVertices; ++i) {
     const double t = along(std::min(i / kTongueRound, kTongueStations - 1));
-    keep_inside_lower_arch(cage[i]);
     cage[i] = jaw.move(cage[i], std::clamp(0.35 + 0.65 * (t / 0.45), 0.0, 1.0));
-    keep_below_palate(cage[i]);
   }
   return cage;
 }

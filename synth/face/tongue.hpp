@@ -16,9 +16,9 @@ inline constexpr std::size_t kTongueVertices = kTongueStations * kTongueRound + 
 using TongueCage = std::array<glm::dvec3, kTongueVertices>;
 
 /// The tongue's control cage: a tube of given half width and half thickness round a Bezier midline,
-/// which the tongue controls lengthen, turn, curl and arch; kept inside the lower teeth, carried by
-/// the jaw, and stopped by the palate. Station by station from the root; the tip is the last
-/// vertex.
+/// which the tongue controls lengthen, turn, curl and arch; carried by the jaw. What it may meet
+/// stops it only when it is drawn (TongueContact). Station by station from the root; the tip is the
+/// last vertex.
 [[nodiscard]] TongueCage tongue_cage(const Pose& pose, const JawMotion& jaw);
 
 }  // namespace bimodal::synth

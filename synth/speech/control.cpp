@@ -1,6 +1,7 @@
 #include "synth/speech/control.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bimodal::synth {
 
@@ -115,6 +116,16 @@ std::optional<Control> control_from_name(std::string_view name) {
   const auto* const found = std::ranges::find(kControls, name, &ControlDescription::name);
   if (found == kControls.end()) return std::nullopt;
   return found->control;
+}
+
+Pose within_range(const Pose& pose) {
+  Pose result{};
+  for (const auto& row : kControls) {
+    const double wanted = value(pose, row.control);
+    value(result, row.control) =
+        std::isnan(wanted) ? row.neutral : std::clamp(wanted, row.lowest, row.highest);
+  }
+  return result;
 }
 
 Pose neutral_pose() {

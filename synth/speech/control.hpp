@@ -77,6 +77,9 @@ struct ControlDescription {
 
 [[nodiscard]] std::optional<Control> control_from_name(std::string_view name);
 
+/// Every control brought into its range; what is no number is neutral.
+[[nodiscard]] Pose within_range(const Pose& pose);
+
 /// Every control at neutral.
 [[nodiscard]] Pose neutral_pose();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <filesystem>
@@ -32,6 +33,10 @@ class StartedCommand {
                  const std::vector<std::string>& environment = {}) {
     std::vector<std::string> words{"env", "-C", folder.string()};
     words.insert(words.end(), environment.begin(), environment.end());
+    constexpr std::string_view kCache = "BIMODAL_CACHE=";
+    const auto sets_cache = [&](const std::string& word) { return word.starts_with(kCache); };
+    // Nothing is kept in the user's own cache.
+    if (std::ranges::none_of(environment, sets_cache)) words.emplace_back(kCache);
     words.push_back(std::string{BIMODAL_BIN "/"} + program);
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;

@@ -119,7 +119,7 @@ class SkinFields:
         reach = np.where(self.mouth & (self.ring >= 3), 1, exp(-((self.from_lips / 19) ** 2))) * self.front
         under_nose = (self.ring < 0) & (self.lateral < 25)
         reach = np.where(under_nose, reach * (1 - 0.9 * smooth_step(-62, -52, self.y)), reach)
-        return reach * np.where(self.ring >= 10, 0.3, 1)
+        return reach * np.where(self.ring >= 10, 0.1, 1)
 
     def width(self):
         """Per mm at the corner: outward in proportion to x, the corner back along the dental arch."""

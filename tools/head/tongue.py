@@ -1,4 +1,5 @@
-"""The tongue at rest: a tube round a cubic Bezier midline (synth/face/tongue.cpp moves it)."""
+"""The tongue at rest: a tube round a cubic Bezier midline (synth/face/tongue.cpp moves it;
+synth/face/tongue_contact.cpp keeps it out of teeth and palate)."""
 import numpy as np
 from numpy import exp, hypot
 
@@ -34,13 +35,4 @@ def rest():
         V.append(np.stack([x, y[i] + ny[i] * h, z[i] + nz[i] * h], 1))
     V.append([[0, y[-1] + ty[-1] * 2.0, z[-1] + tz[-1] * 2.0]])
     V = np.concatenate(V)
-    # inside the lower arch, below the palate
-    inside = np.maximum(0, (parts.ZL - V[:, 2]) / 27.0) ** (1 / 2.7) * 24.5
-    inside -= np.interp(V[:, 2], [45, 60, 78, 87], [8.0, 7.5, 6.0, 3.5])
-    step = np.clip((V[:, 1] + 76.5) / 3, 0, 1)
-    low = 1 - step * step * (3 - 2 * step)
-    limit = np.where(V[:, 2] < 85.5, np.maximum(inside, 6), 99)
-    V[:, 0] -= np.sign(V[:, 0]) * np.maximum(0, np.abs(V[:, 0]) - limit) * low
-    palate = np.interp(V[:, 2], [30, 45, 62, 79, 87, 89], [-70, -61.5, -60, -63.5, -68.5, -76]) - 0.012 * V[:, 0] ** 2
-    V[:, 1] = np.where(V[:, 2] < 88, np.minimum(V[:, 1], palate), V[:, 1])
     return V, faces()
