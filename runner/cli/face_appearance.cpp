@@ -115,7 +115,11 @@ synth::Appearance face_appearance(const AppearanceOptions& options, const synth:
   for (const auto& [name, points] : kPoints) {
     if (name == options.points) appearance.points = points;
   }
-  if (options.quality == "full") appearance.quality = synth::Quality::Full;
+  if (options.quality == "full") {
+    constexpr int kSamples = 4;
+    appearance.quality = synth::Quality::Full;
+    appearance.samples = kSamples;
+  }
   return appearance;
 }
 

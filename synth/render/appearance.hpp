@@ -39,6 +39,9 @@ struct Appearance {
   std::optional<Shading> shading;  ///< absent: as the materials say
   Points points = Points::None;
   Quality quality = Quality::Fast;
+  /// 4 samples a pixel, for pictures that need not be drawn while they are shown: with software
+  /// OpenGL they cost more than all the rest. 1: edges are smoothed in the finished picture.
+  int samples = 1;
 };
 
 }  // namespace bimodal::synth

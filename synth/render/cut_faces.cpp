@@ -85,13 +85,16 @@ bool CutFaces::kind_of(const SurfaceDescription& surface, const PartSet& shown, 
 
 void CutFaces::collect(const PosedHead& posed) {
   for (auto& outlines : outlines_) outlines.clear();
+  for (auto& polygons : polygons_) polygons.clear();
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
     Kind kind{};
     if (!kind_of(surfaces_[s], shown_, kind)) continue;
-    auto found =
+    const auto found =
         outlines_in(posed.surfaces[s].positions, surfaces_[s].triangles, normal_, distance_);
     auto& outlines = outlines_.at(static_cast<std::size_t>(kind));
-    std::ranges::move(found, std::back_inserter(outlines));
+    outlines.insert(outlines.end(), found.begin(), found.end());
+    auto& polygons = polygons_.at(static_cast<std::size_t>(kind));
+    std::ranges::move(polygons_of(found), std::back_inserter(polygons));
   }
 }
 
@@ -107,11 +110,15 @@ void CutFaces::send(std::span<const glm::vec3> corners) const {
 void CutFaces::draw_kind(std::size_t kind) const {
   const glm::vec3 lift = static_cast<float>(kind) * kKindLift * normal_;
   std::vector<glm::vec3> corners;
+  for (const auto& polygon : polygons_.at(kind)) {
+    for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
+      corners.insert(corners.end(), {polygon[0] + lift, polygon[i] + lift, polygon[i + 1] + lift});
+    }
+  }
   std::vector<glm::vec3> strokes;
   for (const Outline& outline : outlines_.at(kind)) {
     const auto& points = outline.points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      corners.insert(corners.end(), {points[0] + lift, points[i] + lift, points[i + 1] + lift});
       add_stroke(points[i], points[i + 1], normal_, strokes);
     }
     if (outline.is_closed) add_stroke(points.back(), points.front(), normal_, strokes);

@@ -15,7 +15,7 @@ namespace bimodal::synth {
 
 /// The faces that a plane leaves where it cuts the head: skin, gums, teeth and tongue, each filled
 /// with its own colour and outlined. The lines in which a surface meets the plane are joined to
-/// outlines; one that is open (the neck has no lower end) is closed straight. They are filled by
+/// outlines; what they enclose is filled by
 /// winding number, in the stencil buffer: parts may overlap, and the mouth stays open. Objects live
 /// as long as the context that is current at construction.
 class CutFaces {
@@ -48,6 +48,7 @@ class CutFaces {
   PartSet shown_;
   std::array<glm::vec3, kKinds + 1> colours_;  // of each kind, and of the outline
   std::array<std::vector<Outline>, kKinds> outlines_;
+  std::array<std::vector<std::vector<glm::vec3>>, kKinds> polygons_;  // what they enclose
   Program program_;
   GLuint vertex_array_ = 0;
   GLuint buffer_ = 0;

@@ -1,7 +1,7 @@
 #include "synth/render/outline.hpp"
 
 #include <algorithm>
-#include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -88,6 +88,29 @@ std::vector<Outline> outlines_in(std::span<const glm::vec3> positions,
                                  const glm::vec3& normal,
                                  float distance) {
   return Crossings{positions, triangles, normal, distance}.joined();
+}
+
+std::vector<std::vector<glm::vec3>> polygons_of(std::vector<Outline> outlines) {
+  std::vector<std::vector<glm::vec3>> polygons;
+  while (!outlines.empty()) {
+    Outline outline = std::move(outlines.back());
+    outlines.pop_back();
+    while (!outline.is_closed) {
+      const glm::vec3 end = outline.points.back();
+      const auto gap_to = [&end](const Outline& next) {
+        return next.is_closed ? std::numeric_limits<float>::max()
+                              : glm::distance(end, next.points.front());
+      };
+      const auto nearest = std::ranges::min_element(outlines, {}, gap_to);
+      outline.is_closed =
+          nearest == outlines.end() || gap_to(*nearest) >= gap_to({outline.points, false});
+      if (outline.is_closed) break;
+      outline.points.insert(outline.points.end(), nearest->points.begin(), nearest->points.end());
+      outlines.erase(nearest);
+    }
+    polygons.push_back(std::move(outline.points));
+  }
+  return polygons;
 }
 
 }  // namespace bimodal::synth

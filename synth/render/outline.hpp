@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,5 +20,10 @@ struct Outline {
                                                std::span<const std::uint32_t> triangles,
                                                const glm::vec3& normal,
                                                float distance);
+
+/// What the outlines of one surface enclose, each as the corners of a polygon. Where the surface
+/// has holes (the lower end of the neck, the eyes), the end of an open line is joined straight to
+/// the nearest beginning of one.
+[[nodiscard]] std::vector<std::vector<glm::vec3>> polygons_of(std::vector<Outline> outlines);
 
 }  // namespace bimodal::synth

@@ -7,13 +7,13 @@ namespace bimodal::synth {
 namespace {
 
 constexpr GLsizei kSize = 1024;  // texels; 0.36 mm each
+constexpr float kHalf = 185.0F;  // mm seen from the centre; shadow.glsl knows it too
 constexpr glm::vec3 kCentre{0.0F, -20.0F, 10.0F};
 
 }  // namespace
 
 ShadowMap::ShadowMap(const glm::vec3& towards) : program_{{{"depth.vert"}, {"depth.frag"}}} {
-  constexpr float kHalf = 0.5F * kExtent;
-  clip_from_world_ = glm::ortho(-kHalf, kHalf, -kHalf, kHalf, 0.0F, kExtent) *
+  clip_from_world_ = glm::ortho(-kHalf, kHalf, -kHalf, kHalf, 0.0F, 2.0F * kHalf) *
                      glm::lookAt(kCentre + kHalf * towards, kCentre, glm::vec3{0.0F, 1.0F, 0.0F});
   map_from_world_ = glm::translate(glm::mat4{1.0F}, glm::vec3{0.5F}) *
                     glm::scale(glm::mat4{1.0F}, glm::vec3{0.5F}) * clip_from_world_;
@@ -28,8 +28,8 @@ ShadowMap::ShadowMap(const glm::vec3& towards) : program_{{{"depth.vert"}, {"dep
                GL_DEPTH_COMPONENT,
                GL_FLOAT,
                nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);

@@ -17,18 +17,16 @@ class ShadowMap {
   /// `towards`: the way to the light, unit length.
   explicit ShadowMap(const glm::vec3& towards);
 
-  /// Draws the map anew from the parts that are opaque; leaves its own framebuffer current.
+  /// Draws the map anew from the parts that are opaque; leaves its own framebuffer
+  /// current and the map in texture unit 0.
   void draw(const MeshBuffers& mesh, const PartSet& casters) const;
 
   /// To where in the map a point is, 0..1 each way, and how deep.
   [[nodiscard]] const glm::mat4& map_from_world() const { return map_from_world_; }
 
-  /// Millimetres that one unit of map_from_world stands for.
-  static constexpr float kExtent = 370.0F;
-
  private:
-  glm::mat4 clip_from_world_;
-  glm::mat4 map_from_world_;
+  glm::mat4 clip_from_world_{1.0F};
+  glm::mat4 map_from_world_{1.0F};
   Program program_;
   GLuint texture_ = 0;
   GLuint framebuffer_ = 0;

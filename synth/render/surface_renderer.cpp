@@ -99,8 +99,6 @@ void check_for_errors(const char* deed) {
 
 }  // namespace
 
-constexpr int kSamples = 4;  // of a pixel, in full quality
-
 struct SurfaceRenderer::Stage {
   Stage(std::span<const SurfaceDescription> surfaces,
         const PosedHead& resting,
@@ -151,7 +149,7 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
       shadow_map_{wanted.materials.key_direction},
       programs_{wanted, camera_for(view), shadow_map_.map_from_world()},
       backdrop_{ShaderSource{{"backdrop.vert"}, {"backdrop.frag"}}},
-      target{view.width, view.height, wanted.quality == Quality::Full ? kSamples : 1} {
+      target{view.width, view.height, wanted.samples} {
   const Materials& materials = wanted.materials;
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);

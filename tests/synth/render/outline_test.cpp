@@ -46,6 +46,21 @@ TEST(Outlines, AreOpenWhereASurfaceEnds) {
   }
 }
 
+TEST(Outlines, ThatAreOpenEncloseOnePolygonTogether) {
+  const Tube tube;
+  const auto polygons =
+      polygons_of(outlines_in(tube.positions, tube.triangles, {1.0F, 0.0F, 0.0F}, 0.5F));
+  ASSERT_EQ(polygons.size(), 1U);
+  EXPECT_EQ(polygons[0].size(), 6U);
+}
+
+TEST(Outlines, ThatAreClosedAreAPolygonEach) {
+  const std::vector<glm::vec3> triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const auto polygons = polygons_of({{triangle, true}, {triangle, true}});
+  ASSERT_EQ(polygons.size(), 2U);
+  EXPECT_EQ(polygons[0], triangle);
+}
+
 TEST(Outlines, AreNoneWhereThePlaneMisses) {
   const Tube tube;
   EXPECT_TRUE(outlines_in(tube.positions, tube.triangles, kUp, 3.0F).empty());
