@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/color_space.hpp>
 
+#include "synth/render/paint.hpp"
+
 namespace bimodal::synth {
 
 namespace {
@@ -70,7 +72,7 @@ bool CutFaces::kind_of(const SurfaceDescription& surface, const PartSet& shown, 
       return has(shown, HeadPart::Skin);
     case Material::Gum:
       kind = Kind::Gums;
-      return has(shown, HeadPart::Gum);
+      return has(shown, is_palate(surface) ? HeadPart::Palate : HeadPart::Gum);
     case Material::Tooth:
       kind = Kind::Teeth;
       return has(shown,
@@ -93,6 +95,7 @@ void CutFaces::collect(const PosedHead& posed) {
         outlines_in(posed.surfaces[s].positions, surfaces_[s].triangles, normal_, distance_);
     auto& outlines = outlines_.at(static_cast<std::size_t>(kind));
     outlines.insert(outlines.end(), found.begin(), found.end());
+    if (is_palate(surfaces_[s])) continue;  // a sheet, with air below it: only its line is drawn
     auto& polygons = polygons_.at(static_cast<std::size_t>(kind));
     std::ranges::move(polygons_of(found), std::back_inserter(polygons));
   }
