@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/control_list.hpp"
+#include "runner/cli/expression_list.hpp"
 #include "runner/cli/face_appearance.hpp"
 #include "runner/cli/face_view.hpp"
 #include "runner/cli/option_checks.hpp"
@@ -25,6 +26,7 @@ namespace {
 
 struct FaceOptions {
   std::vector<std::string> controls;
+  std::vector<std::string> expressions;
   std::string output;
   ViewOptions view;
   AppearanceOptions appearance;
@@ -48,7 +50,12 @@ ExitCode list_controls() {
   }
   print_text_table(rows, "llrrrll");
   fmt::print(
-      "\nThe paper: Cohen & Massaro (1993). Its names serve as well, e.g. jaw-rotation=8.\n");
+      "\nThe paper: Cohen & Massaro (1993). Its names serve as well, e.g. jaw-rotation=8.\n\n");
+  std::vector<std::vector<std::string>> expressions{{"expression", "what it shows"}};
+  for (const auto& expression : synth::expressions()) {
+    expressions.push_back({std::string{expression.name}, std::string{expression.meaning}});
+  }
+  print_text_table(expressions, "ll");
   return ExitCode::Done;
 }
 
@@ -89,14 +96,15 @@ ExitCode face(const FaceOptions& options) {
   }
   const auto asked = read_controls(options.controls);
   for (const auto& remark : asked.remarks) fmt::print(stderr, "bimodal: {}\n", remark);
+  const auto pose = synth::with_expressions(asked.pose, read_expressions(options.expressions));
   const synth::Head head{asset("synth/assets/head")};
-  if (options.measure) print_measures(head, asked.pose);
+  if (options.measure) print_measures(head, pose);
   if (options.output.empty()) return ExitCode::Done;
   const auto view = face_view(options.view);
   const auto appearance = face_appearance(options.appearance, view);
   synth::HeadRenderer renderer{head, view, appearance};
   Image image;
-  renderer.draw(asked.pose, image);
+  renderer.draw(pose, image);
   write_png(image, options.output);
   fmt::print("{}: {} x {} pixels\n", options.output, image.width, image.height);
   print_angles(options, view);
@@ -115,12 +123,14 @@ void add_face(CLI::App& app, Verb& chosen) {
       "  bimodal face --controls jaw=3,lower_lip_tuck=1 --measure  lips, teeth and tongue in mm\n"
       "  bimodal face --controls jaw=6 --view side --transparency 0.6 -o inside.png\n"
       "  bimodal face --view side --section 0 --controls tongue_tip=9 -o section.png\n"
+      "  bimodal face --expression smile=0.7 -o smile.png\n"
       "  bimodal face --show lips --material high-contrast --view mouth -o lips.png");
   auto options = std::make_shared<FaceOptions>();
   verb->add_option("--controls",
                    options->controls,
                    "NAME=VALUE,...; out of a control's range its end is taken, and told")
       ->delimiter(',');
+  add_expression_option(*verb, options->expressions);
   verb->add_option("-o,--output", options->output, "PNG file to write")
       ->check(in_a_folder_that_exists());
   verb->add_flag("--measure", options->measure, "prints what of the mouth can be lipread, in mm");

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "runner/cli/expression_list.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/seen_speech.hpp"
 #include "runner/cli/spoken_score.hpp"
@@ -27,6 +28,7 @@ namespace {
 struct MeasuresOptions {
   SpokenOptions spoken;
   std::string account = "dominance";
+  std::vector<std::string> expressions;
   double rate_hz = 60;
   std::string output;
   bool list = false;
@@ -180,6 +182,7 @@ void add_measures(CLI::App& app, Verb& chosen) {
   add_spoken_options(*verb, options->spoken);
   auto* const text = verb->get_option("SCORE|TEXT")->required(false);
   add_account_option(*verb, options->account);
+  add_expression_option(*verb, options->expressions);
   verb->add_option("--rate-hz", options->rate_hz, "pictures a second (60)")
       ->check(finite_number())
       ->check(CLI::Range(1.0, 10'000.0));

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/expression_list.hpp"
 #include "runner/cli/face_appearance.hpp"
 #include "runner/cli/face_view.hpp"
 #include "runner/cli/interrupt.hpp"
@@ -36,6 +37,7 @@ struct RenderOptions {
   std::optional<int> rate_factor;
   ViewOptions view;
   AppearanceOptions appearance;
+  std::vector<std::string> expressions;
 };
 
 /// A text that stands behind --audio is taken for its file.
@@ -129,7 +131,8 @@ ExitCode render(const RenderOptions& options) {
   if (options.audio && options.audio != kVoice) {
     own_sound = read_sound(*options.audio, Channels::MixDown);
   }
-  const auto seen = seen_speech(options, voiced);
+  const auto expressions = read_expressions(options.expressions);
+  const auto seen = with_expressions(seen_speech(options, voiced), expressions);
   const Clip* sound = own_sound ? &*own_sound : options.audio ? &seen.sound.value() : nullptr;
   const RenderStyle style{
       .view = view,
@@ -193,6 +196,7 @@ void add_render(CLI::App& app, Verb& chosen) {
       ->check(CLI::Range(0, 63));
   add_view_options(*verb, options->view);
   add_appearance_options(*verb, options->appearance);
+  add_expression_option(*verb, options->expressions);
   verb->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }
 

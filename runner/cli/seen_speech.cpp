@@ -26,4 +26,12 @@ SeenSpeech articulated_speech(const SpokenOptions& options, Account account, boo
   return seen;
 }
 
+SeenSpeech with_expressions(SeenSpeech seen, std::vector<synth::ShownExpression> shown) {
+  if (shown.empty()) return seen;
+  seen.pose = [plain = std::move(seen.pose), shown = std::move(shown)](Milliseconds time) {
+    return synth::with_expressions(plain(time), shown);
+  };
+  return seen;
+}
+
 }  // namespace bimodal::runner

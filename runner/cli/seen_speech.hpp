@@ -9,6 +9,7 @@
 #include "stimuli/audio/clip.hpp"
 #include "stimuli/timeline/account.hpp"
 #include "synth/speech/control.hpp"
+#include "synth/speech/expression.hpp"
 
 namespace bimodal::runner {
 
@@ -40,5 +41,9 @@ struct SeenSpeech {
 /// on standard error which columns are no controls of the face, and which controls leave its range
 /// (contacts may, upwards). Throws Error listing what is wrong: columns, numbers, times.
 [[nodiscard]] SeenSpeech tracked_speech(const std::string& file);
+
+/// The same with expressions on top.
+[[nodiscard]] SeenSpeech with_expressions(SeenSpeech seen,
+                                          std::vector<synth::ShownExpression> shown);
 
 }  // namespace bimodal::runner

@@ -19,6 +19,10 @@ constexpr PerRing kPressedInward{0.0, 0.0, 0.0, 0.1, 1.3, 2.4, 1.0, 0.5, 0.0, 0.
 // How soon narrowing closes a pair, from the midline (column 0) to beside the corner (7).
 constexpr std::array<double, MouthLoops::kCorner> kZip{0.0, 0.06, 0.34, 0.78, 0.96, 1.0, 1.0, 1.0};
 constexpr double kFullZipMm = 16.0;
+// Spread lips meet beside the corners, so that the opening ends in a point there.
+constexpr std::array<double, MouthLoops::kCorner> kSpreadZip{
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.10, 0.32, 0.62};
+constexpr double kFullSpreadMm = 8.0;
 
 constexpr double kUpperShare = 0.30;    // of the way to contact
 constexpr double kJoinMm = 1.5;         // over this last gap the contact rings are drawn together
@@ -95,8 +99,10 @@ class FacingColumn {
 
 void bring_together(const LipContact& contact, int column, const FacingColumn& lips) {
   const double narrowing = std::clamp(-contact.width_mm / kFullZipMm, 0.0, 1.0);
-  const double closure =
-      std::max(contact.closure, narrowing * kZip.at(static_cast<std::size_t>(column)));
+  const double spreading = std::clamp(contact.width_mm / kFullSpreadMm, 0.0, 1.0);
+  const auto place = static_cast<std::size_t>(column);
+  const double closure = std::max(
+      {contact.closure, narrowing * kZip.at(place), spreading * kSpreadZip.at(place)});
   const double gap = lips.gap();
   const double remaining = std::max(0.0, gap * (1.0 - closure));
   // Everything below varies continuously with gap and closure, so that lips part without a jump.

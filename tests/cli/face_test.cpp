@@ -36,6 +36,23 @@ TEST_F(FaceVerb, ListsEveryControlWithItsRangeUnitAndMeaning) {
                           HasSubstr("opening of the lower jaw"))));
 }
 
+TEST_F(FaceVerb, MeasuresWhatItDraws) {
+  EXPECT_THAT(
+      face({"--controls", "jaw=3,lower_lip_tuck=1", "--measure"}),
+      ended(ExitCode::Done, AllOf(HasSubstr("upper_teeth_mm2"), HasSubstr("lip_to_incisors_mm"))));
+}
+
+TEST_F(FaceVerb, KnowsItsExpressionsAndNamesThemToWhoAsksForAnother) {
+  EXPECT_THAT(face({"--expression", "smile=0.5", "--measure"}),
+              ended(ExitCode::Done, HasSubstr("corner_up_mm")));
+  EXPECT_THAT(face({"--expression", "boredom", "--measure"}),
+              ended(ExitCode::InvalidInput, HasSubstr("there are smile, surprise")));
+  EXPECT_THAT(face({"--expression", "smile=2", "--measure"}),
+              ended(ExitCode::InvalidInput, HasSubstr("from 0 to 1")));
+  EXPECT_THAT(face({"--expression", "smile,smile=1", "--measure"}),
+              ended(ExitCode::InvalidInput, HasSubstr("twice")));
+}
+
 TEST_F(FaceVerb, DrawsAPoseByTheFacesOrThePapersNames) {
   if (!has_opengl()) GTEST_SKIP() << "no OpenGL here";
   EXPECT_THAT(

@@ -61,15 +61,15 @@ class SkinFields:
         width = self.width()
         malar = self.malar()
         self.fields = {
-            "width": width + 0.14 * malar,  # spreading lifts the cheek
+            "width": width + 0.14 * malar + 0.42 * self.nasolabial_fold(),  # spreading lifts the cheek
             "narrow": self.narrow(width),
             "width_thin": self.width_thin(),
-            "protrude": self.protrude(),
+            "protrude": self.protrude() + 0.20 * self.chin_fold(),
             "funnel": self.funnel(),
             "upraise": self.upraise(),
-            "lowraise": self.lowraise(),
+            "lowraise": self.lowraise() + 0.30 * self.chin_fold(),
             "cornx": cornx,
-            "corny": corny + 0.36 * malar,
+            "corny": corny + 0.36 * malar + 0.36 * self.nasolabial_fold(),
             "cornz": cornz,
             "puff": self.puff(),
             "brow": self.brow(),
@@ -145,6 +145,25 @@ class SkinFields:
         )
         back = -0.10 * thin * (self.ring <= 6) * np.clip(1 - self.lateral / 24, 0, 1)
         return self.vectors(y=-(self.y - line) * thin * 0.022, z=back)
+
+    def from_line(self, ends, spread):
+        """A bell across a polyline (points in x and y), on the skin outside the lips."""
+        nearest = np.full(len(self.rest), np.inf)
+        for (x0, y0), (x1, y1) in zip(ends, ends[1:]):
+            nearest = np.minimum(nearest, skin.seg(self.lateral, self.y, x0, y0, x1, y1)[0])
+        return exp(-((nearest / spread) ** 2)) * self.front * (self.ring < 3)
+
+    def nasolabial_fold(self):
+        """A groove from the wing of the nose past the corner of the mouth, with the cheek bulging beside it."""
+        groove = self.from_line([(19, -48), (27, -56), (34, -69)], 4.5)
+        bulge = self.from_line([(27, -44), (35, -52), (42, -65)], 6.0)
+        return (0.8 * bulge - groove)[:, None] * self.outward
+
+    def chin_fold(self):
+        """The furrow under the lower lip, with the chin's pad bulging below it."""
+        furrow = self.from_line([(0, -94), (9, -93.5), (15, -91)], 4.0)
+        pad = self.from_line([(0, -103), (8, -102)], 7.0)
+        return (0.6 * pad - furrow)[:, None] * np.array([0, 0, 1.0])
 
     def malar(self):
         amount = exp(-((hypot((self.lateral - 40) * 0.8, self.y + 40)) ** 2) / (2 * 10**2))
