@@ -28,6 +28,7 @@ void add_stimuli(CLI::App& app, Verb& chosen);
 void add_render(CLI::App& app, Verb& chosen);
 void add_face(CLI::App& app, Verb& chosen);
 void add_measures(CLI::App& app, Verb& chosen);
+void add_sheets(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
 void add_corpus(CLI::App& app, Verb& chosen);
 
