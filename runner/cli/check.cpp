@@ -147,9 +147,12 @@ auto shows_face(const protocols::Protocol& protocol) {
 /// Full quality, where it is asked for, is measured: an experimenter must know how long it takes.
 std::string face_text(const ReadProtocol& read, const std::vector<protocols::PlannedTrial>& plan) {
   const auto wanted = read.protocol.window.face_quality;
-  if (wanted == protocols::FaceQuality::Fast) return "drawn in fast quality";
+  if (wanted == protocols::FaceQuality::Fast) {
+    return describe(choose_quality(wanted, std::nullopt));
+  }
   if (wanted == protocols::FaceQuality::Auto) {
-    return "drawn in full quality if that keeps ahead of the session, else fast: `run` measures";
+    return "the face is drawn in full quality if that keeps ahead of the session, else in fast: "
+           "`run` measures it";
   }
   constexpr Hertz kUsualRate{60};
   const auto face = examine_face(read, plan, true);
@@ -165,9 +168,9 @@ std::string face_text(const ReadProtocol& read, const std::vector<protocols::Pla
 void print_face(const ReadProtocol& read, const std::vector<protocols::PlannedTrial>& plan) {
   if (std::ranges::none_of(plan, shows_face(read.protocol))) return;
   try {
-    fmt::print("  the face     {}\n", face_text(read, plan));
+    fmt::print("  drawing      {}\n", face_text(read, plan));
   } catch (const Error& error) {  // checked on a machine that will not run it, perhaps
-    fmt::print("  the face     cannot be drawn here: {}\n", error.what());
+    fmt::print("  drawing      the face cannot be drawn here: {}\n", error.what());
   }
 }
 
