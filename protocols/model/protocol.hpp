@@ -122,12 +122,21 @@ struct Intervals {
   Duration av_offset{};                                ///< audio minus visual: positive, audio lags
 };
 
+/// How finely the synthetic face is drawn: alike in the whole session, so that conditions never
+/// differ by it.
+enum class FaceQuality {
+  Auto,  ///< as the machine can: measured when a session begins
+  Fast,  ///< light that the face keeps from itself is worked out at rest
+  Full,  ///< shadows follow every movement, smooth edges; slow without a graphics card
+};
+
 struct Window {
   int width = 1280;  ///< pixels
   int height = 1024;
   bool fullscreen = true;
   int face_height = 720;                ///< pixels; the face's picture is 8/9 as wide as it is high
   std::uint32_t background = 0x606060;  ///< 0xRRGGBB
+  FaceQuality face_quality = FaceQuality::Auto;
 };
 
 /// A whole experiment, as its author wrote it and the reader judged it.

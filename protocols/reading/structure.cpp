@@ -25,6 +25,7 @@ constexpr NumberRule kSeconds{0, 60, "a time in seconds, e.g. 0.5"};
 constexpr std::array<std::string_view, 2> kAssignments{"once", "every-condition"};
 constexpr std::array<std::string_view, 1> kResponseKinds{"typed"};
 constexpr std::array<std::string_view, 1> kNoiseKinds{"white"};
+constexpr std::array<std::string_view, 3> kFaceQualities{"auto", "fast", "full"};
 
 /// Replaces a default by what was read, if anything was.
 template <typename T>
@@ -229,6 +230,8 @@ void read_window(ObjectReader& parent, Window& window, Findings& findings) {
   take_whole(window.face_height,
              reader->whole("face_height", {64, 8'192, "a number of pixels, e.g. 720"}));
   take(window.background, read_colour(*reader, "background", findings));
+  const auto quality = reader->choice("face_quality", kFaceQualities);
+  if (quality) window.face_quality = static_cast<FaceQuality>(*quality);
   reader->refuse_unknown_keys();
 }
 

@@ -4,10 +4,13 @@
 
 #include <fmt/ranges.h>
 
+#include "protocols/model/talker.hpp"
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/protocol_file.hpp"
+#include "runner/cli/session_face.hpp"
 #include "runner/cli/sound_check.hpp"
 #include "runner/cli/verbs.hpp"
+#include "runner/preparation/films_ahead.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
 
@@ -133,6 +136,44 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
              counted(static_cast<std::size_t>(minutes), "minute"));
 }
 
+/// Of a planned trial: whether it shows the synthetic face.
+auto shows_face(const protocols::Protocol& protocol) {
+  return [&protocol](const protocols::PlannedTrial& trial) {
+    const auto& talker = protocol.conditions.at(trial.condition).visual_talker;
+    return talker && !protocols::is_corpus(*talker);
+  };
+}
+
+/// Full quality, where it is asked for, is measured: an experimenter must know how long it takes.
+std::string face_text(const ReadProtocol& read, const std::vector<protocols::PlannedTrial>& plan) {
+  const auto wanted = read.protocol.window.face_quality;
+  if (wanted == protocols::FaceQuality::Fast) {
+    return describe(choose_quality(wanted, std::nullopt));
+  }
+  if (wanted == protocols::FaceQuality::Auto) {
+    return "the face is drawn in full quality if that keeps ahead of the session, else in fast: "
+           "`run` measures it";
+  }
+  constexpr Hertz kUsualRate{60};
+  const auto face = examine_face(read, plan, true);
+  const auto quality = quality_of(*face, read.protocol, kUsualRate);
+  auto text = describe(quality);
+  if (!draws_too_slowly(quality)) return text;
+  const auto films = std::ranges::count_if(plan, shows_face(read.protocol));
+  return fmt::format("{}; `run` draws the films of a session before its first trial, {}",
+                     text,
+                     about_minutes(film_time(*quality.pace) * films));
+}
+
+void print_face(const ReadProtocol& read, const std::vector<protocols::PlannedTrial>& plan) {
+  if (std::ranges::none_of(plan, shows_face(read.protocol))) return;
+  try {
+    fmt::print("  drawing      {}\n", face_text(read, plan));
+  } catch (const Error& error) {  // checked on a machine that will not run it, perhaps
+    fmt::print("  drawing      the face cannot be drawn here: {}\n", error.what());
+  }
+}
+
 std::vector<Diagnostic> check_stimuli(const ReadProtocol& read, const std::string& file) {
   auto found = check_media(read, file);
   if (has_errors(found)) return found;
@@ -154,6 +195,7 @@ ExitCode check(const ProtocolChoice& choice) {
   }
   const auto plan = protocols::make_plan(read->protocol, read->words, read->practice, {});
   print_summary(*read, plan.size());
+  print_face(*read, plan);
   const auto warnings = read->diagnostics.size() + found.size();
   if (warnings == 0) {
     fmt::print("no mistakes found\n");

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
+#include "runner/cli/session_face.hpp"
 #include "runner/cli/session_setup.hpp"
 #include "runner/cli/simulated_answers.hpp"
 #include "runner/cli/sound_check.hpp"
@@ -20,6 +22,7 @@
 #include "runner/devices/sdl/sdl_keyboard.hpp"
 #include "runner/devices/silent/silent_audio.hpp"
 #include "runner/devices/simulated/simulated_keyboard.hpp"
+#include "runner/preparation/films_ahead.hpp"
 #include "runner/preparation/preparation_queue.hpp"
 #include "stimuli/base/error.hpp"
 
@@ -93,28 +96,50 @@ std::unique_ptr<Devices> open_devices(const protocols::Protocol& protocol,
   return opened;
 }
 
-/// Prepares on the queue's thread: first every sound of the session is made and judged, then trial
+void tell(std::string_view what) {
+  fmt::print("{}\n", what);
+  std::fflush(stdout);
+}
+
+/// What preparing borrows.
+struct Workplace {
+  const protocols::ReadProtocol& read;
+  const std::vector<protocols::PlannedTrial>& plan;
+  Repertoire& repertoire;
+  Hertz drawing_rate;
+  ChosenQuality quality;
+  const RunOptions& options;
+};
+
+/// Prepares on the queue's thread: first every sound of the session is made and judged; then, if
+/// the face cannot be drawn as fast as trials follow each other, all films are drawn; then trial
 /// after trial is mixed and drawn.
-PreparationQueue::Prepare make_prepare(const protocols::ReadProtocol& read,
-                                       const std::vector<protocols::PlannedTrial>& plan,
-                                       Repertoire& repertoire,
-                                       Hertz drawing_rate,
-                                       const RunOptions& options) {
+PreparationQueue::Prepare make_prepare(const Workplace& at) {
   struct Workshop {
     std::optional<FilmStudio> studio;
     std::optional<TrialPreparer> preparer;
+    bool draws_ahead = false;
   };
 
-  const auto& protocol = read.protocol;
+  const auto& protocol = at.read.protocol;
   auto workshop = std::make_shared<Workshop>();
   std::optional<FilmCache> cache;
   const auto folder = film_cache_folder();
-  if (folder && !options.no_cache) cache.emplace(*folder);
-  workshop->studio.emplace(protocol.window, read.corpora, std::move(cache));
-  workshop->preparer.emplace(protocol, repertoire, &*workshop->studio, drawing_rate);
-  const auto found = check_sounds(read, plan, *workshop->preparer, options.protocol.named);
+  if (folder && !at.options.no_cache) cache.emplace(*folder);
+  workshop->draws_ahead = cache && draws_too_slowly(at.quality);
+  workshop->studio.emplace(protocol.window, at.read.corpora, at.quality.quality, std::move(cache));
+  workshop->preparer.emplace(protocol, at.repertoire, &*workshop->studio, at.drawing_rate);
+  const auto found = check_sounds(at.read, at.plan, *workshop->preparer, at.options.protocol.named);
   if (has_errors(found)) throw Error{describe(found.front())};
-  return [workshop](const protocols::PlannedTrial& trial, const Checkpoint& checkpoint) {
+  return [workshop, at](const protocols::PlannedTrial& trial, const Checkpoint& checkpoint) {
+    if (std::exchange(workshop->draws_ahead, false)) {
+      draw_films_ahead(at.plan,
+                       *workshop->preparer,
+                       workshop->studio->room(),
+                       film_time(*at.quality.pace),
+                       checkpoint,
+                       tell);
+    }
     return workshop->preparer->prepare(trial, checkpoint);
   };
 }
@@ -164,6 +189,7 @@ ExitCode run(const RunOptions& options) {
   if (!options.again) {
     refuse_repetition(data, options.participant, key, *read, simulated);
   }
+  const auto face = examine_face(*read, plan, options.display != "headless" && !simulated);
   // A new file is made only when the devices are there; an old one is opened before anything shows.
   auto store = std::filesystem::exists(data) ? open_sqlite_store(data) : nullptr;
   if (!store) require_place_for(data);
@@ -175,8 +201,12 @@ ExitCode run(const RunOptions& options) {
 
   Repertoire repertoire{protocol.sound.rate, read->corpora};
   const auto drawing_rate = drawing_rate_for(devices->display->refresh().period);
+  const auto quality = face ? quality_of(*face, protocol, drawing_rate) : ChosenQuality{};
+  if (face) tell(describe(quality));
   PreparationQueue queue{
-      plan, [&] { return make_prepare(*read, plan, repertoire, drawing_rate, options); }};
+      plan, [&] {
+        return make_prepare({*read, plan, repertoire, drawing_rate, quality, options});
+      }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     auto record = session_record(*read, options.participant, key);
     record.simulated_answers = simulated;
@@ -186,6 +216,7 @@ ExitCode run(const RunOptions& options) {
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
+    if (face) record.face = record_of(*face, quality);
     const auto id = store->begin(record, plan_records(*read, plan));
     if (options.trials || options.no_practice) {
       store->add(id,
@@ -206,10 +237,7 @@ ExitCode run(const RunOptions& options) {
        .begin = begin,
        .answer = simulated ? simulated_answers(protocol, key, protocol.seed) : Answers{},
        .interrupted = interrupt_asked,
-       .announce = [](std::string_view what) {
-         fmt::print("{}\n", what);
-         std::fflush(stdout);
-       }});
+       .announce = tell});
   if (outcome.session) {
     store->end(*outcome.session, outcome.complete ? "complete" : "stopped", utc_now());
   }

@@ -11,6 +11,7 @@
 
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/protocol_file.hpp"
+#include "runner/preparation/face_quality.hpp"
 #include "runner/preparation/trial_preparer.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/picture/drawing.hpp"
@@ -110,7 +111,9 @@ class StripMaker {
       : read_{read},
         options_{options},
         repertoire_{read.protocol.sound.rate, read.corpora},
-        studio_{read.protocol.window, read.corpora} {}
+        studio_{read.protocol.window,
+                read.corpora,
+                choose_quality(read.protocol.window.face_quality, std::nullopt).quality} {}
 
   void add(std::size_t index, const Word& word) {
     const auto& condition = read_.protocol.conditions[index];

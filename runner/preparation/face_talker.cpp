@@ -14,6 +14,15 @@ synth::Backdrop plain(std::uint32_t background) {
   return {.centre = colour, .edge = colour};
 }
 
+/// Drawn ahead of their presentation, pictures may have smooth edges in full quality.
+synth::Appearance appearance_in(synth::Quality quality) {
+  constexpr int kFullSamples = 4;
+  synth::Appearance appearance;
+  appearance.quality = quality;
+  if (quality == synth::Quality::Full) appearance.samples = kFullSamples;
+  return appearance;
+}
+
 class TalkingFace final : public FrameSource {
  public:
   TalkingFace(synth::HeadRenderer& renderer, synth::Articulation articulation)
@@ -34,14 +43,15 @@ class TalkingFace final : public FrameSource {
 
 }  // namespace
 
-FaceTalker::FaceTalker(std::size_t height, std::uint32_t background)
+FaceTalker::FaceTalker(std::size_t height, std::uint32_t background, synth::Quality quality)
     : head_{asset("synth/assets/head")},
       renderer_{head_,
                 {.width = height * 8 / 9,
                  .height = height,
                  .centre_y_mm = -32.0,
                  .field_mm = 312.0,  // the whole head, crown to neck
-                 .backdrop = plain(background)}} {}
+                 .backdrop = plain(background)},
+                appearance_in(quality)} {}
 
 std::unique_ptr<FrameSource> FaceTalker::say(std::span<const TimedSegment> segments,
                                              const synth::SegmentTable& table,

@@ -20,7 +20,7 @@ class FaceTalker {
   static constexpr double kEyeDistance = 90.0 / 312.0;
 
   /// A face `height` pixels high (its picture is 8/9 as wide) before `background` (0xRRGGBB).
-  FaceTalker(std::size_t height, std::uint32_t background);
+  FaceTalker(std::size_t height, std::uint32_t background, synth::Quality quality);
 
   /// The face articulating `segments` as `table` and `account` say. Must not outlive the talker.
   [[nodiscard]] std::unique_ptr<FrameSource> say(std::span<const TimedSegment> segments,

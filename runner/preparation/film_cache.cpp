@@ -89,6 +89,16 @@ std::optional<Film> FilmCache::find(const std::string& key, const Checkpoint& ch
   return film;
 }
 
+std::optional<std::uintmax_t> FilmCache::use(const std::string& key) const {
+  const auto file = file_of(key);
+  std::error_code fault;
+  if (!is_private(folder_) || !fs::is_regular_file(file, fault)) return std::nullopt;
+  fs::last_write_time(file, fs::file_time_type::clock::now(), fault);
+  const auto bytes = fs::file_size(file, fault);
+  if (fault) return std::nullopt;
+  return bytes;
+}
+
 void FilmCache::keep(const std::string& key, const Film& film, const Checkpoint& checkpoint) const {
   if (!make_folder()) return;
   const auto bytes = packed(film, key, checkpoint);

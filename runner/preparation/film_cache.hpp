@@ -26,6 +26,12 @@ class FilmCache {
   [[nodiscard]] std::optional<Film> find(const std::string& key,
                                          const Checkpoint& checkpoint) const;
 
+  /// The bytes that a kept film takes, which counts as used now; absent if there is none. Does not
+  /// look at what is in it.
+  [[nodiscard]] std::optional<std::uintmax_t> use(const std::string& key) const;
+
+  [[nodiscard]] std::uintmax_t most_bytes() const { return most_bytes_; }
+
   /// Keeps a film, if there is room for it.
   void keep(const std::string& key, const Film& film, const Checkpoint& checkpoint) const;
 

@@ -29,19 +29,20 @@ std::string drawing_identity() {
 }
 
 std::string film_key(const FilmOrigin& origin) {
-  const auto& [drawing, articulation, table, account, look, layout, rate, cut] = origin;
+  const auto& [drawing, articulation, table, account, look, quality, layout, rate, cut] = origin;
   const auto& [height, lines, frame_rate, blur_px, background] = look;
   const auto& [recording, lead, trail, sound_lead, sound_trail, av_offset, has_sound] = layout;
   auto text = fmt::format(
       "drawing {}\ninventory {}\naccount {}\n", drawing, table, static_cast<int>(account));
   const auto out = std::back_inserter(text);
   fmt::format_to(out,
-                 "look {} {} {} {} {}\n",
+                 "look {} {} {} {} {} {}\n",
                  height,
                  lines,
                  frame_rate ? frame_rate->count() : 0.0,
                  blur_px,
-                 background);
+                 background,
+                 static_cast<int>(quality));
   // Where the sound stands does not move the pictures, but for the frames that it needs.
   fmt::format_to(out,
                  "layout {} {} {} {} {} {} {} at {}\n",

@@ -9,6 +9,7 @@
 #include "runner/session/cue_sheet.hpp"
 #include "stimuli/timeline/account.hpp"
 #include "stimuli/timeline/segment.hpp"
+#include "synth/render/quality.hpp"
 
 namespace bimodal::runner {
 
@@ -19,6 +20,7 @@ struct FilmOrigin {
   std::string table_sha256;  ///< of the inventory
   Account account = Account::Dominance;
   ShownLook look;
+  synth::Quality quality = synth::Quality::Fast;
   StimulusLayout layout;
   Hertz drawing_rate;
   std::optional<Cut> cut;

@@ -21,11 +21,12 @@ namespace bimodal::runner {
 /// contexts).
 class FilmStudio {
  public:
-  /// The first two are borrowed.
+  /// The first two are borrowed. `quality` is that of every synthetic face.
   FilmStudio(const protocols::Window& window,
              const std::map<std::string, Corpus>& corpora,
+             synth::Quality quality,
              std::optional<FilmCache> cache = std::nullopt)
-      : window_{window}, corpora_{corpora}, cache_{std::move(cache)} {}
+      : window_{window}, corpora_{corpora}, quality_{quality}, cache_{std::move(cache)} {}
 
   /// Throws Error if the talker cannot be drawn or decoded.
   [[nodiscard]] Film film(const protocols::Condition& condition,
@@ -33,6 +34,16 @@ class FilmStudio {
                           const StimulusLayout& layout,
                           Hertz drawing_rate,
                           const Checkpoint& checkpoint);
+
+  /// The bytes that the film takes in the cache, where it counts as used now; 0 for a natural
+  /// talker, who is not drawn; absent if the film is still to be drawn.
+  [[nodiscard]] std::optional<std::uintmax_t> kept_bytes(const protocols::Condition& condition,
+                                                         const Enactment& enactment,
+                                                         const StimulusLayout& layout,
+                                                         Hertz drawing_rate);
+
+  /// The room for films in the cache; 0 without one.
+  [[nodiscard]] std::uintmax_t room() const { return cache_ ? cache_->most_bytes() : 0; }
 
   /// Decided once for each condition.
   [[nodiscard]] const ShownLook& look_of(const protocols::Condition& condition);
@@ -47,6 +58,12 @@ class FilmStudio {
     std::optional<Cut> cut;
   };
 
+  [[nodiscard]] Scene scene_of(const protocols::Condition& condition,
+                               const Enactment& enactment,
+                               const StimulusLayout& layout,
+                               Hertz drawing_rate);
+  [[nodiscard]] std::string key_of(const Scene& scene, const protocols::Articulating& articulating);
+
   /// As the cache has it, or drawn and kept.
   [[nodiscard]] Film film_of_face(const Scene& scene,
                                   const protocols::Articulating& articulating,
@@ -59,6 +76,7 @@ class FilmStudio {
 
   const protocols::Window& window_;
   const std::map<std::string, Corpus>& corpora_;
+  synth::Quality quality_;
   std::optional<FilmCache> cache_;
   std::string drawing_;  ///< drawing_identity(), once it has been asked for
   std::map<std::pair<std::size_t, std::uint32_t>, std::unique_ptr<FaceTalker>> faces_;

@@ -74,6 +74,7 @@ bool PreparationQueue::await_room() {
 void PreparationQueue::await_release() {
   std::unique_lock lock{mutex_};
   changed_.wait(lock, [this] { return closing_ || !held_; });
+  if (closing_) throw Closing{};
 }
 
 void PreparationQueue::add(PreparedTrial trial) {
@@ -92,6 +93,8 @@ void PreparationQueue::work(const std::vector<protocols::PlannedTrial>& plan,
       if (!await_room()) return;
       add(prepare(trial, [this] { await_release(); }));
     }
+  } catch (const Closing&) {
+    return;
   } catch (...) {  // whatever it is, the session loop rethrows it
     {
       const std::lock_guard lock{mutex_};

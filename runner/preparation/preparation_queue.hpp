@@ -42,9 +42,13 @@ class PreparationQueue final : public TrialSource {
   void release() override;
 
  private:
+  /// Ends preparing in the middle of a trial.
+  struct Closing {};
+
   void work(const std::vector<protocols::PlannedTrial>& plan,
             const std::function<Prepare()>& make_prepare);
   [[nodiscard]] bool await_room();
+  /// Throws Closing if what is being prepared is not wanted any more.
   void await_release();
   void add(PreparedTrial trial);
 

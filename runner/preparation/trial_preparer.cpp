@@ -114,20 +114,31 @@ std::optional<Mix> TrialPreparer::mix_sound(const PlannedTrial& trial) {
   return mixed;
 }
 
+StimulusLayout TrialPreparer::layout_of(const Condition& condition,
+                                        const Enactment& enactment) const {
+  return {.recording = enactment.length,
+          .lead = protocol_.intervals.lead,
+          .trail = protocol_.intervals.trail,
+          .sound_lead = protocol_.sound.noise.lead,
+          .sound_trail = protocol_.sound.noise.trail,
+          .av_offset = condition.av_offset.value_or(protocol_.intervals.av_offset),
+          .has_sound = condition.auditory_talker.has_value()};
+}
+
+std::optional<std::uintmax_t> TrialPreparer::kept_film_bytes(const PlannedTrial& trial) {
+  const Condition& condition = protocol_.conditions.at(trial.condition);
+  if (!condition.visual_talker || studio_ == nullptr) return 0;
+  const auto& enactment = kept(trial).enactment;
+  return studio_->kept_bytes(condition, enactment, layout_of(condition, enactment), drawing_rate_);
+}
+
 PreparedTrial TrialPreparer::prepare(const PlannedTrial& trial, const Checkpoint& checkpoint) {
   const Condition& condition = protocol_.conditions.at(trial.condition);
   const auto& enactment = kept(trial).enactment;
-  PreparedTrial prepared{
-      .plan = trial,
-      .layout = {.recording = enactment.length,
-                 .lead = protocol_.intervals.lead,
-                 .trail = protocol_.intervals.trail,
-                 .sound_lead = protocol_.sound.noise.lead,
-                 .sound_trail = protocol_.sound.noise.trail,
-                 .av_offset = condition.av_offset.value_or(protocol_.intervals.av_offset),
-                 .has_sound = condition.auditory_talker.has_value()},
-      .drawing_rate = drawing_rate_,
-      .recordings = recordings_of(enactment, condition)};
+  PreparedTrial prepared{.plan = trial,
+                         .layout = layout_of(condition, enactment),
+                         .drawing_rate = drawing_rate_,
+                         .recordings = recordings_of(enactment, condition)};
   if (auto mixed = mix_sound(trial)) {
     const auto clipping = clipping_message(trial, condition.name, *mixed);
     if (!clipping.empty()) throw Error{clipping};

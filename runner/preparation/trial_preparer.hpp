@@ -42,6 +42,10 @@ class TrialPreparer {
   [[nodiscard]] PreparedTrial prepare(
       const protocols::PlannedTrial& trial, const Checkpoint& checkpoint = [] {});
 
+  /// The bytes that the trial's film takes in the studio's cache, where it counts as used now; 0 if
+  /// nothing is drawn in the trial; absent if its film is still to be drawn.
+  [[nodiscard]] std::optional<std::uintmax_t> kept_film_bytes(const protocols::PlannedTrial& trial);
+
   /// The sound alone; absent if the condition has none. Does not judge clipping. Throws Error as
   /// enact() does, also where nothing is heard.
   [[nodiscard]] std::optional<Mix> mix_sound(const protocols::PlannedTrial& trial);
@@ -54,6 +58,8 @@ class TrialPreparer {
   };
 
   [[nodiscard]] Kept& kept(const protocols::PlannedTrial& trial);
+  [[nodiscard]] StimulusLayout layout_of(const protocols::Condition& condition,
+                                         const Enactment& enactment) const;
 
   const protocols::Protocol& protocol_;
   Repertoire& repertoire_;

@@ -16,6 +16,15 @@ struct DeviceRecord {
   std::string time_source;  ///< what its instants rest on: "swap_returned", "predicted", ...
 };
 
+/// How the synthetic face was drawn, alike in all trials.
+struct FaceDrawingRecord {
+  std::string quality;  ///< "fast", "full"
+  std::string basis;    ///< why: "protocol", "measured", "unwatched"
+  /// What a picture took in full quality before the session; absent: not measured.
+  std::optional<Duration> full_picture;
+  std::string renderer;  ///< the OpenGL that drew it
+};
+
 /// One run of one protocol with one participant.
 struct SessionRecord {
   std::int64_t id = 0;  ///< given by the store
@@ -39,6 +48,8 @@ struct SessionRecord {
   Duration refresh_period{};     ///< measured; 0 if there is no display
   Duration refresh_deviation{};  ///< standard deviation of the measured periods
   int refresh_count = 0;         ///< number of periods measured
+  /// Absent: no synthetic face was drawn (also in rehearsals), or files of versions below 4.
+  std::optional<FaceDrawingRecord> face;
 };
 
 /// One trial as planned; all of a session's plan is stored before its first trial.

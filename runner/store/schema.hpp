@@ -9,7 +9,7 @@ inline constexpr int kApplicationId = 0x62696d6f;
 
 /// `PRAGMA user_version`: raised with every change of the tables; older programs refuse newer
 /// files.
-inline constexpr int kSchemaVersion = 3;
+inline constexpr int kSchemaVersion = 4;
 
 /// The tables of version 1; explained column by column in SCHEMA.md.
 inline constexpr const char* kVersion1 = R"sql(
@@ -175,8 +175,16 @@ CREATE VIEW answers AS
   FROM trial t JOIN plan p USING (session, trial) JOIN session s USING (session);
 )sql";
 
+/// From version 3 to 4: how the synthetic face was drawn.
+inline constexpr const char* kVersion4 = R"sql(
+ALTER TABLE session ADD COLUMN face_quality TEXT CHECK (face_quality IN ('fast', 'full'));
+ALTER TABLE session ADD COLUMN face_quality_basis TEXT;
+ALTER TABLE session ADD COLUMN face_full_picture_ns INTEGER;
+ALTER TABLE session ADD COLUMN face_renderer TEXT;
+)sql";
+
 /// What makes each version of the one before it, from version 1 on.
 inline constexpr std::array<const char*, kSchemaVersion> kSchemaSteps{
-    kVersion1, kVersion2, kVersion3};
+    kVersion1, kVersion2, kVersion3, kVersion4};
 
 }  // namespace bimodal::runner

@@ -71,6 +71,12 @@ StoredSession session_from(const Statement& row) {
   stored.planned_trials = static_cast<int>(row.integer(23));
   stored.shortened = row.integer(24) != 0;
   session.cast = row.text(25);
+  if (!row.is_null(26)) {
+    session.face = FaceDrawingRecord{.quality = row.text(26),
+                                     .basis = row.text(27),
+                                     .full_picture = optional_duration(row, 28),
+                                     .renderer = row.text(29)};
+  }
   return stored;
 }
 
@@ -178,6 +184,7 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
   const auto version = database.pragma("user_version");
   const bool has_recordings = version >= 2;
   const bool has_articulations = version >= 3;
+  const bool has_faces = version >= 4;
 
   std::vector<StoredSession> sessions;
   std::map<std::int64_t, std::size_t> position;
@@ -191,7 +198,10 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
       " (SELECT count(*) FROM plan WHERE plan.session = session.session),"
       " EXISTS (SELECT 1 FROM event WHERE event.session = session.session AND kind = "
       "'shortened'), " +
-          std::string{has_recordings ? "casting" : "''"} +
+          std::string{has_recordings ? "casting, " : "'', "} +
+          std::string{has_faces ? "face_quality, face_quality_basis, face_full_picture_ns, "
+                                  "face_renderer"
+                                : "NULL, NULL, NULL, NULL"} +
           " FROM session JOIN protocol ON sha256 = protocol_sha256 ORDER BY session"};
   while (session_row.step()) {
     position[session_row.integer(0)] = sessions.size();

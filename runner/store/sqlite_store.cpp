@@ -91,6 +91,16 @@ class SqliteStore final : public SessionStore {
   };
 
   void insert_session(const SessionRecord& session) {
+    std::optional<std::string> quality;
+    std::optional<std::string> basis;
+    std::optional<Duration> full_picture;
+    std::optional<std::string> renderer;
+    if (session.face) {
+      quality = session.face->quality;
+      basis = session.face->basis;
+      full_picture = session.face->full_picture;
+      renderer = session.face->renderer;
+    }
     insert_session_.reset()
         .bind(session.participant)
         .bind(session.participant_number)
@@ -112,6 +122,10 @@ class SqliteStore final : public SessionStore {
         .bind(session.refresh_deviation)
         .bind(session.refresh_count)
         .bind(session.cast)
+        .bind(quality)
+        .bind(basis)
+        .bind(full_picture)
+        .bind(renderer)
         .run();
   }
 
@@ -204,7 +218,7 @@ class SqliteStore final : public SessionStore {
   Statement insert_session_{database_,
                             "INSERT INTO session VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, NULL, "
                             "NULL, ?, ?, ?, ?, ?, ?, "
-                            "?, ?, ?, ?)"};
+                            "?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_plan_{database_,
                          "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_trial_{database_,

@@ -47,7 +47,7 @@ BENCHMARK(prepare_the_sound_of_a_trial)->Unit(benchmark::kMillisecond);
 void prepare_a_bimodal_trial_with_its_pictures(benchmark::State& state) {
   const auto made = protocol();
   Repertoire repertoire{made.sound.rate, no_corpora()};
-  FilmStudio studio{made.window, no_corpora()};
+  FilmStudio studio{made.window, no_corpora(), synth::Quality::Fast};
   TrialPreparer preparer{made, repertoire, &studio, Hertz{60}};
   const auto trial = stew();
   std::size_t pictures = 0;
@@ -92,7 +92,7 @@ void prepare_a_bimodal_trial_from_the_cache(benchmark::State& state) {
   const auto made = protocol();
   const EmptyCache kept;
   Repertoire repertoire{made.sound.rate, no_corpora()};
-  FilmStudio studio{made.window, no_corpora(), kept.cache()};
+  FilmStudio studio{made.window, no_corpora(), synth::Quality::Fast, kept.cache()};
   TrialPreparer preparer{made, repertoire, &studio, Hertz{60}};
   const auto trial = stew();
   std::size_t pictures = preparer.prepare(trial).film->pictures.size();
@@ -108,7 +108,7 @@ void keep_the_film_of_a_trial(benchmark::State& state) {
   const auto made = protocol();
   const EmptyCache kept;
   Repertoire repertoire{made.sound.rate, no_corpora()};
-  FilmStudio studio{made.window, no_corpora()};
+  FilmStudio studio{made.window, no_corpora(), synth::Quality::Fast};
   TrialPreparer preparer{made, repertoire, &studio, Hertz{60}};
   const auto film = preparer.prepare(stew()).film;
   const auto cache = kept.cache();

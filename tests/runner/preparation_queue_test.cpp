@@ -1,6 +1,7 @@
 #include "runner/preparation/preparation_queue.hpp"
 
 #include <atomic>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -60,6 +61,20 @@ TEST(PreparationQueue, EndsWhileHeldAndUnfinished) {
     };
   });
   queue->hold();
+  queue.reset();
+}
+
+TEST(PreparationQueue, EndsInTheMiddleOfALongTrial) {
+  std::atomic<bool> begun{false};
+  auto queue = std::make_unique<PreparationQueue>(plan_of(1), [&begun] {
+    return [&begun](const protocols::PlannedTrial&, const Checkpoint& checkpoint) -> PreparedTrial {
+      for (;;) {
+        begun = true;
+        checkpoint();
+      }
+    };
+  });
+  while (!begun) std::this_thread::yield();
   queue.reset();
 }
 

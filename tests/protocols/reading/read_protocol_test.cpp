@@ -14,6 +14,7 @@
 namespace bimodal::protocols {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -59,7 +60,7 @@ TEST_F(Reading, ReadsEveryKey) {
               "noise": {"kind": "white", "band_hz": [100, 4000.5], "lead_s": 0.6, "trail_s": 0.7,
                         "ramp_ms": 20}},
     "window": {"width": 1000, "height": 900, "fullscreen": false, "face_height": 800,
-               "background": "#0aBc01"},
+               "background": "#0aBc01", "face_quality": "full"},
     "farewell": "Bye"})");
   using namespace std::chrono_literals;
   const auto& p = read.protocol;
@@ -93,6 +94,7 @@ TEST_F(Reading, ReadsEveryKey) {
   EXPECT_FALSE(p.window.fullscreen);
   EXPECT_EQ(p.window.face_height, 800);
   EXPECT_EQ(p.window.background, 0x0ABC01U);
+  EXPECT_EQ(p.window.face_quality, FaceQuality::Full);
   EXPECT_EQ(p.farewell, "Bye");
 }
 
@@ -145,6 +147,13 @@ TEST_F(Reading, TellsOfEveryMistakeAtOnceInTheOrderOfTheLines) {
           HasSubstr("test.json:11: /response/kind: \"spoken\" is not known"),
           HasSubstr("test.json:12: /farewel: the key \"farewel\" is not known; did you mean "
                     "\"farewell\"?")));
+}
+
+TEST_F(Reading, LetsTheMachineDecideHowFinelyTheFaceIsDrawnUnlessItIsSaid) {
+  EXPECT_EQ(read(std::string{kGood}).protocol.window.face_quality, FaceQuality::Auto);
+  EXPECT_THAT(with(R"("window": {"face_quality": "ful"})"),
+              ElementsAre(AllOf(HasSubstr("/window/face_quality: \"ful\" is not known"),
+                                HasSubstr("did you mean \"full\"?"))));
 }
 
 TEST_F(Reading, SaysWhereTheTextIsNotJson) {

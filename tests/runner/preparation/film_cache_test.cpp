@@ -262,6 +262,7 @@ TEST(FilmKey, DiffersIfAnythingDiffers) {
       [](auto& it) { it.look.frame_rate = Hertz{25}; },
       [](auto& it) { it.look.blur_px = 1; },
       [](auto& it) { it.look.background = 1; },
+      [](auto& it) { it.quality = synth::Quality::Full; },
       [](auto& it) { it.layout.recording = 191ms; },
       [](auto& it) { it.layout.lead = 501ms; },
       [](auto& it) { it.layout.trail = 501ms; },
@@ -289,7 +290,7 @@ TEST_F(FilmCaches, LetAStudioShowWhatAnotherHasDrawn) {
   enactment.articulation = {{.segment = Phone::AA, .start = 0ms, .duration = 200ms}};
   const StimulusLayout layout{.recording = 200ms, .lead = 50ms, .trail = 50ms};
   const auto made = [&](std::optional<FilmCache> cache) {
-    FilmStudio studio{window, no_corpora, std::move(cache)};
+    FilmStudio studio{window, no_corpora, synth::Quality::Fast, std::move(cache)};
     return studio.film(condition, enactment, layout, Hertz{30}, kNoRest);
   };
   const auto drawn = made(std::nullopt);

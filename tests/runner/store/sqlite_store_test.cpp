@@ -119,6 +119,31 @@ TEST_F(SqliteStoreTest, ReadsBackEverythingThatWasStored) {
   EXPECT_EQ(stored.trial.events.at(0).kind, "late_frame");
 }
 
+TEST_F(SqliteStoreTest, ReadsBackHowTheFaceWasDrawn) {
+  auto fast = session();
+  fast.face = FaceDrawingRecord{.quality = "fast",
+                                .basis = "measured",
+                                .full_picture = 123'456'789ns,
+                                .renderer = "a card, OpenGL 4.6"};
+  auto full = session();
+  full.face = FaceDrawingRecord{.quality = "full", .basis = "protocol", .renderer = "x"};
+  {
+    const auto store = open_sqlite_store(file_);
+    for (const auto& one : {fast, full, session()}) static_cast<void>(store->begin(one, plan()));
+  }
+  const auto sessions = read_sessions(file_);
+  ASSERT_EQ(sessions.size(), 3U);
+  const auto& read = sessions[0].session.face;
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->quality, "fast");
+  EXPECT_EQ(read->basis, "measured");
+  EXPECT_EQ(read->full_picture, 123'456'789ns);
+  EXPECT_EQ(read->renderer, "a card, OpenGL 4.6");
+  ASSERT_TRUE(sessions[1].session.face);
+  EXPECT_EQ(sessions[1].session.face->full_picture, std::nullopt);
+  EXPECT_FALSE(sessions[2].session.face);
+}
+
 TEST_F(SqliteStoreTest, ReadsBackWhichRecordingWasShownAndWhichOfItsFrames) {
   {
     const auto store = open_sqlite_store(file_);
@@ -167,6 +192,7 @@ TEST_F(SqliteStoreTest, ReadsAFileOfTheFirstVersion) {
   EXPECT_EQ(sessions[0].trials[0].plan.visual_word, std::nullopt);
   EXPECT_EQ(sessions[0].trials[0].plan.articulation, std::nullopt);
   EXPECT_TRUE(sessions[0].session.cast.empty());
+  EXPECT_FALSE(sessions[0].session.face);
 }
 
 TEST_F(SqliteStoreTest, RaisesAFileOfTheFirstVersionAndKeepsWhatItHolds) {
