@@ -1,6 +1,9 @@
 // Segments are learnt from tracks, and lips are compared with measured ones.
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -177,6 +180,26 @@ TEST_F(ValidateLips, ComparesTheFaceWithMeasuredLips) {
           // The face's lips are shut before a B that begins the sentence: that closure has no time.
           ContainsRegex(
               "all,P B M,inner_h,.lowest, from the centre: difference median, ms.,[24],")));
+}
+
+/// The value of a line that begins so, in a report of validate-lips.
+double value_of(const std::string& report, const std::string& line) {
+  const auto at = report.find(line);
+  if (at == std::string::npos) return std::numeric_limits<double>::quiet_NaN();
+  return std::strtod(report.c_str() + report.find(',', at + line.size()) + 1, nullptr);
+}
+
+TEST_F(ValidateLips, FindsTheFaceLikeNaturalTalkers) {
+  const char* const data = std::getenv("BIMODAL_TEST_DATA");
+  const auto clips = std::filesystem::path{data == nullptr ? "" : data} / "lips";
+  if (!std::filesystem::exists(clips / "bbaf2n.csv")) {
+    GTEST_SKIP() << "BIMODAL_TEST_DATA does not name a folder with lips/bbaf2n.csv";
+  }
+  EXPECT_THAT(bimodal({"validate-lips", clips.string(), "-o", "report.csv"}),
+              ended(ExitCode::Done, HasSubstr("measured 9 of 9, predicted 9 of 9")));
+  const auto report = bytes("report.csv");
+  EXPECT_GE(value_of(report, "all,,inner_h,r,"), 0.84);
+  EXPECT_GE(value_of(report, "all,,outer_w,r,"), 0.64);
 }
 
 TEST_F(ValidateLips, ComparesTheTracksOfAnyTalkingHead) {

@@ -37,7 +37,7 @@ TEST(ContextSlopes, HaveAWordOnEveryNotableDifference) {
 TEST(ContextSlopes, OfContactsAreThoseOfConsonantsThatDecideAlone) {
   const auto slopes = slopes_of("english");
   EXPECT_NEAR(slope(slopes, "P B M", "lip opening"), 0, 0.05);
-  EXPECT_NEAR(slope(slopes, "F V", "lip opening"), 0, 0.05);
+  EXPECT_NEAR(slope(slopes, "F V", "lip opening"), 0, 0.08);
 }
 
 TEST(ContextSlopes, OfRoundingAreAboutAsMeasuredForAlveolarsAndPostalveolars) {
