@@ -101,8 +101,8 @@ void bring_together(const LipContact& contact, int column, const FacingColumn& l
   const double narrowing = std::clamp(-contact.width_mm / kFullZipMm, 0.0, 1.0);
   const double spreading = std::clamp(contact.width_mm / kFullSpreadMm, 0.0, 1.0);
   const auto place = static_cast<std::size_t>(column);
-  const double closure = std::max(
-      {contact.closure, narrowing * kZip.at(place), spreading * kSpreadZip.at(place)});
+  const double closure =
+      std::max({contact.closure, narrowing * kZip.at(place), spreading * kSpreadZip.at(place)});
   const double gap = lips.gap();
   const double remaining = std::max(0.0, gap * (1.0 - closure));
   // Everything below varies continuously with gap and closure, so that lips part without a jump.
