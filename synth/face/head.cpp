@@ -174,7 +174,12 @@ struct Head::Rig {
   }
 
   /// The order matters: each step sees what the former ones did.
-  void pose_skin_cage(const Pose& pose, const JawMotion& jaw, std::vector<glm::dvec3>& cage) const {
+  void pose_skin_cage(const Pose& asked,
+                      const JawMotion& jaw,
+                      std::vector<glm::dvec3>& cage) const {
+    // A lip that is held at the teeth cannot be pushed out as well.
+    Pose pose = asked;
+    value(pose, Control::LipProtrusion) *= 1.0 - value(asked, Control::LowerLipTuck);
     cage = rest;
     linear.move(pose, cage);
     tuck.roll(value(pose, Control::LowerLipTuck), cage);

@@ -54,6 +54,10 @@ constexpr std::string_view kOpeningOfSh =
     "stays: here jaw and opening move together";
 constexpr std::string_view kJawOfSh =
     "JD3's jaw stays while his lips follow; here jaw and opening move together";
+constexpr std::string_view kHeldLip =
+    "a lip held at the teeth is not pushed out here; JD3's lips follow the vowel a little";
+constexpr std::string_view kTipOfF =
+    "its opening is firm (alpha 2.2), so that the lip meets the teeth, and the jaw carries the tip";
 constexpr std::string_view kOpeningOfK =
     "the jaw does as JD3's; his lips also open and close by themselves with the vowel";
 
@@ -61,7 +65,8 @@ constexpr std::string_view kOpeningOfK =
 const std::array<Row, 8>& rows() {
   static const std::array<Row, 8> table{{
       {Phone::P,  "P B M",  {.57, -.04, -.17, .81, .16}, {"", "", kNoReversal, "", ""}},
-      {Phone::F,  "F V",    {.39, -.04, -.21, .85, .37}, {"", "", kNoReversal, "", ""}},
+      {Phone::F,  "F V",    {.39, -.04, -.21, .85, .37},
+       {kHeldLip, "", kNoReversal, "", kTipOfF}},
       {Phone::TH, "TH DH",  {.47, -.03, .40, 0, -.22},
        {kRoundingOfTh, kOpeningOfTh, "", "", kNoReversal}},
       {Phone::T,  "T D N",  {.78, .52, .08, .28, -.39},
