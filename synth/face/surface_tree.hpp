@@ -30,8 +30,8 @@ class SurfaceTree {
   };
 
   struct Node {
-    glm::vec3 least;
-    glm::vec3 most;
+    glm::vec3 least{};
+    glm::vec3 most{};
     std::uint32_t first =
         0;  ///< leaf: of its triangles; else: the left child, the right one behind
     std::uint32_t count = 0;  ///< of triangles; 0: no leaf
