@@ -20,8 +20,6 @@ namespace bimodal::runner {
 
 namespace {
 
-constexpr double kMostPenetration = 0.2;  // mm
-
 struct ContactOptions {
   std::string file = "english";
   std::vector<double> rates{0.5, 1.0, 2.0};
@@ -50,13 +48,13 @@ bool print_penetrations(const synth::ContactTable& table) {
       "  lip in lip {:.2f}, lips and cheeks in teeth {:.2f}, tongue in teeth {:.2f}, in the palate "
       "{:.2f}, in lips and cheeks {:.2f}\n",
       counted(table.pictures, "picture"),
-      kMostPenetration,
+      synth::kMostPenetration,
       deepest.lip_in_lip,
       deepest.flesh_in_teeth,
       deepest.tongue_in_teeth,
       deepest.tongue_in_palate,
       deepest.tongue_in_flesh);
-  if (deepest.worst() <= kMostPenetration) return true;
+  if (deepest.worst() <= synth::kMostPenetration) return true;
   fmt::print("  deepest in {}\n", table.deepest_case);
   return false;
 }

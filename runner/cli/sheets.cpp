@@ -1,26 +1,14 @@
-#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "runner/cli/face_sheet.hpp"
-#include "runner/cli/face_view.hpp"
+#include "runner/cli/reading_strips.hpp"
+#include "runner/cli/sheet_painter.hpp"
 #include "runner/cli/verbs.hpp"
-#include "stimuli/base/asset.hpp"
-#include "stimuli/base/draft.hpp"
-#include "stimuli/base/error.hpp"
-#include "stimuli/base/random.hpp"
-#include "stimuli/timeline/inventory_file.hpp"
-#include "synth/face/head.hpp"
-#include "synth/render/head_renderer.hpp"
-#include "synth/speech/articulation.hpp"
 #include "synth/speech/durations.hpp"
-#include "synth/speech/segment_table.hpp"
 
 namespace bimodal::runner {
 
@@ -32,78 +20,6 @@ struct SheetsOptions {
   std::string segments = "english";
   int height = 180;
   std::uint64_t seed = 1;
-};
-
-/// Twelve consonants that look different, and the vowels around them.
-constexpr std::array kReadConsonants{Phone::B,
-                                     Phone::F,
-                                     Phone::TH,
-                                     Phone::D,
-                                     Phone::S,
-                                     Phone::SH,
-                                     Phone::L,
-                                     Phone::R,
-                                     Phone::W,
-                                     Phone::G,
-                                     Phone::Y,
-                                     Phone::HH};
-constexpr std::array kReadVowels{Phone::AA, Phone::IY, Phone::UW};
-
-class SheetPainter {
- public:
-  explicit SheetPainter(const SheetsOptions& options)
-      : table_{inventory_file(options.segments)},
-        head_{asset("synth/assets/head")},
-        front_{head_, view("mouth", options.height)},
-        side_{head_, side_of_mouth(options.height)} {}
-
-  [[nodiscard]] SheetCell front(const synth::Articulation& articulation,
-                                Milliseconds time,
-                                std::string caption) {
-    return cell(front_, articulation.at(time), std::move(caption));
-  }
-
-  [[nodiscard]] SheetCell side(const synth::Articulation& articulation,
-                               Milliseconds time,
-                               std::string caption) {
-    return cell(side_, articulation.at(time), std::move(caption));
-  }
-
-  [[nodiscard]] synth::Articulation articulation(const std::vector<TimedSegment>& segments,
-                                                 Account account = Account::Dominance) const {
-    return {segments, table_, account};
-  }
-
- private:
-  static synth::View view(const std::string& name, int height) {
-    ViewOptions options;
-    options.view = name;
-    options.height = height;
-    return face_view(options);
-  }
-
-  /// The mouth in profile, with the lips in the middle.
-  static synth::View side_of_mouth(int height) {
-    ViewOptions options;
-    options.view = "mouth";
-    options.height = height;
-    options.yaw_deg = 90;
-    options.centre_mm = {0, -70, 75};
-    return face_view(options);
-  }
-
-  static SheetCell cell(synth::HeadRenderer& renderer,
-                        const synth::Pose& pose,
-                        std::string caption) {
-    SheetCell made{.picture = {}, .caption = std::move(caption)};
-    renderer.draw(pose, made.picture);
-    return made;
-  }
-
-  synth::SegmentTable table_;
-  synth::Head head_;
-  synth::HeadRenderer front_;
-  synth::HeadRenderer side_;
 };
 
 std::vector<TimedSegment> around(Phone phone) {
@@ -190,40 +106,11 @@ std::vector<SheetRow> rate_rows(SheetPainter& painter) {
   return rows;
 }
 
-/// Unlabelled strips in an order of the seed, and the key to them: for a test of reading.
-void write_reading_test(SheetPainter& painter, const SheetsOptions& options) {
-  constexpr std::array kPlaces{-1.0, -0.45, -0.15, 0.0, 0.15, 0.45, 1.0};
-  constexpr Milliseconds kReach{170};
-  std::vector<std::pair<Phone, Phone>> items;
-  for (const Phone consonant : kReadConsonants) {
-    for (const Phone vowel : kReadVowels) items.emplace_back(consonant, vowel);
-  }
-  Random random{options.seed};
-  for (std::size_t i = items.size() - 1; i > 0; --i)
-    std::swap(items[i], items[random.below(i + 1)]);
-  const std::filesystem::path folder{options.output};
-  std::filesystem::create_directories(folder);
-  std::string key = "item,consonant,vowel\n";
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const auto [consonant, vowel] = items[i];
-    const auto segments = synth::timed(std::array<Segment, 3>{vowel, consonant, vowel});
-    const auto articulation = painter.articulation(segments);
-    SheetRow row;
-    for (const double place : kPlaces) {
-      row.cells.push_back(painter.front(articulation, segments[2].centre() + place * kReach, ""));
-    }
-    write_png(contact_sheet({row}), folder / fmt::format("item{:02}.png", i + 1));
-    key += fmt::format("{},{},{}\n", i + 1, symbol(consonant), symbol(vowel));
-  }
-  write_file(folder / "key.csv", key);
-  fmt::print(
-      "{}: {} strips and key.csv; show the strips without it\n", options.output, items.size());
-}
-
 ExitCode sheets(const SheetsOptions& options) {
-  SheetPainter painter{options};
+  SheetPainter painter{options.segments, options.height};
   if (options.sheet == "reading") {
-    write_reading_test(painter, options);
+    const auto strips = write_reading_strips(painter, options.seed, options.output);
+    fmt::print("{}: {} strips and key.csv; show the strips without it\n", options.output, strips);
     return ExitCode::Done;
   }
   const auto rows = options.sheet == "segments"         ? segment_rows(painter)

@@ -20,7 +20,6 @@ namespace {
 constexpr Milliseconds kPicture{1000.0 / 60};
 constexpr Milliseconds kAround{50};       // pictures this far outside the sound count too
 constexpr std::size_t kMostPictures = 6;  // of those where the control is farthest
-constexpr double kMostPenetration = 0.2;  // mm; kept in the requirement's words too
 
 /// What a group of sounds must show. A measure meets the requirement if least <= measure <= most.
 struct Requirement {
@@ -33,6 +32,9 @@ struct Requirement {
   double (*measure)(MouthRuler& ruler);
 };
 
+// Lips shut, lip to teeth, teeth and tongue seen, and the opening of round lips: limits of this
+// project's requirements for a face to be lipread. The 0.5 mm at the ridge, the blade's widths
+// (those of T D N and of L lie 1.5 mm apart) and the 38 mm of round lips were chosen by us.
 constexpr double kAny = std::numeric_limits<double>::infinity();
 
 constexpr std::array kRequirements{

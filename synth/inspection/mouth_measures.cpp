@@ -204,6 +204,7 @@ SeenAreas MouthRuler::seen() {
 }
 
 TonguePlace MouthRuler::tongue() const {
+  // The blade: from 11 to 21 mm behind the necks of the incisors, and only where it is raised. mm.
   constexpr double kBladeFrom = 68;
   constexpr double kBladeTo = 78;
   constexpr double kUnderPalate = -74;

@@ -23,6 +23,10 @@ struct TonguePlace {
   double beside_mm = 0;
 };
 
+/// mm; the most that parts of a face worth showing may lie in one another (chosen by us: less than
+/// a pixel at 720 lines).
+inline constexpr double kMostPenetration = 0.2;
+
 /// How deep, mm, parts lie in one another at the worst place; 0: nowhere. Looked for at the corners
 /// and in the middle of every triangle of the softer part.
 struct Penetrations {

@@ -11,7 +11,7 @@
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/findings.hpp"
-#include "stimuli/base/json_text.hpp"
+#include "stimuli/base/located_reading.hpp"
 #include "stimuli/base/object_reader.hpp"
 #include "synth/render/material_rows.hpp"
 
@@ -126,24 +126,10 @@ class MaterialsReader {
 std::optional<Materials> Materials::parse(std::string_view text,
                                           std::string_view file,
                                           std::vector<Diagnostic>& diagnostics) {
-  const std::string name{file};
-  const auto parsed = parse_json(text);
-  if (const auto* fault = std::get_if<TextFault>(&parsed)) {
-    diagnostics.push_back({.file = name,
-                           .line = fault->line,
-                           .pointer = "",
-                           .finding = fault->finding,
-                           .remedy = fault->remedy});
-    return std::nullopt;
-  }
-  const JsonLines lines{text};
-  Findings findings;
-  findings.refuse_duplicates(lines);
-  auto materials = MaterialsReader{findings}.read(std::get<nlohmann::json>(parsed));
-  const auto located = findings.located(lines, name);
-  diagnostics.insert(diagnostics.end(), located.begin(), located.end());
-  if (has_errors(located)) return std::nullopt;
-  return materials;
+  return read_located(
+      text, file, diagnostics, kMostValues, [](const nlohmann::json& tree, Findings& findings) {
+        return MaterialsReader{findings}.read(tree);
+      });
 }
 
 Materials Materials::read(const std::filesystem::path& file) {

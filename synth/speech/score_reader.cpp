@@ -9,8 +9,7 @@
 
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
-#include "stimuli/base/json_lines.hpp"
-#include "stimuli/base/json_text.hpp"
+#include "stimuli/base/located_reading.hpp"
 #include "stimuli/base/nearest.hpp"
 #include "stimuli/base/object_reader.hpp"
 #include "synth/speech/score.hpp"
@@ -237,22 +236,10 @@ class ScoreReader {
 std::optional<Score> parse_score(std::string_view text,
                                  std::string_view file,
                                  std::vector<Diagnostic>& diagnostics) {
-  const auto parsed = parse_json(text, kMostValuesOfAScore);
-  if (const auto* fault = std::get_if<TextFault>(&parsed)) {
-    diagnostics.push_back({.file = std::string{file},
-                           .line = fault->line,
-                           .finding = fault->finding,
-                           .remedy = fault->remedy});
-    return std::nullopt;
-  }
-  const JsonLines lines{text};
-  Findings findings;
-  findings.refuse_duplicates(lines);
-  auto score = ScoreReader{findings}.read(std::get<json>(parsed));
-  const auto located = findings.located(lines, std::string{file});
-  diagnostics.insert(diagnostics.end(), located.begin(), located.end());
-  if (has_errors(located)) return std::nullopt;
-  return score;
+  return read_located(
+      text, file, diagnostics, kMostValuesOfAScore, [](const json& tree, Findings& findings) {
+        return ScoreReader{findings}.read(tree);
+      });
 }
 
 Score read_score(const std::string& file, std::vector<Diagnostic>& warnings) {

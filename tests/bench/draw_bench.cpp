@@ -6,14 +6,8 @@
 namespace bimodal::synth {
 namespace {
 
-/// One frame of an open mouth, posed, drawn and read back; state.range(0) pixels high.
-void draw_head(benchmark::State& state) {
-  const Head head{asset("synth/assets/head")};
-  View view;
-  view.height = static_cast<std::size_t>(state.range(0));
-  view.width = view.height * 8 / 9;
-  HeadRenderer renderer{head, view};
-  state.SetLabel(renderer.description());
+/// A frame each time, posed, drawn and read back, while the mouth opens.
+void draw_opening_mouth(benchmark::State& state, HeadRenderer& renderer) {
   Pose pose = neutral_pose();
   Image image;
   double jaw_deg = 0.0;
@@ -23,6 +17,17 @@ void draw_head(benchmark::State& state) {
     renderer.draw(pose, image);
     benchmark::DoNotOptimize(image.pixels.data());
   }
+}
+
+/// One frame of an open mouth, posed, drawn and read back; state.range(0) pixels high.
+void draw_head(benchmark::State& state) {
+  const Head head{asset("synth/assets/head")};
+  View view;
+  view.height = static_cast<std::size_t>(state.range(0));
+  view.width = view.height * 8 / 9;
+  HeadRenderer renderer{head, view};
+  state.SetLabel(renderer.description());
+  draw_opening_mouth(state, renderer);
 }
 
 BENCHMARK(draw_head)
@@ -41,15 +46,7 @@ void draw_head_in_full(benchmark::State& state) {
   appearance.quality = Quality::Full;
   appearance.samples = static_cast<int>(state.range(0));
   HeadRenderer renderer{head, {.width = 1280, .height = 1024}, appearance};
-  Pose pose = neutral_pose();
-  Image image;
-  double jaw_deg = 0.0;
-  for (auto _ : state) {
-    jaw_deg = jaw_deg < 12.0 ? jaw_deg + 0.5 : 0.0;
-    value(pose, Control::Jaw) = jaw_deg;
-    renderer.draw(pose, image);
-    benchmark::DoNotOptimize(image.pixels.data());
-  }
+  draw_opening_mouth(state, renderer);
 }
 
 BENCHMARK(draw_head_in_full)

@@ -1,6 +1,7 @@
 #include "synth/face/head.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <thread>
 
@@ -61,6 +62,15 @@ TEST(Head, DescribesEachSurfaceCompletely) {
     EXPECT_EQ(surface.special.size(), vertices);
     EXPECT_EQ(surface.triangles.size() % 3, 0U);
     EXPECT_TRUE(std::ranges::all_of(surface.triangles, [&](auto v) { return v < vertices; }));
+  }
+}
+
+TEST(Head, HasItsSurfacesWhereTheyAreLookedFor) {
+  constexpr std::array kNames{
+      "skin", "tongue", "lashes", "upper_teeth", "lower_teeth", "upper_gum", "lower_gum", "palate"};
+  static_assert(kNames.size() == static_cast<std::size_t>(HeadSurface::Palate) + 1);
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    EXPECT_EQ(the_head().surfaces()[i].name, kNames.at(i));
   }
 }
 

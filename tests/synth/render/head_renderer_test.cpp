@@ -10,8 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "stimuli/base/asset.hpp"
-#include "stimuli/base/error.hpp"
-#include "synth/render/egl_context.hpp"
+#include "tests/synth/render/drawn_head.hpp"
 
 namespace bimodal::synth {
 namespace {
@@ -28,12 +27,6 @@ View small_view() {
   return view;
 }
 
-Pose pose_of(std::initializer_list<std::pair<Control, double>> settings) {
-  Pose pose = neutral_pose();
-  for (const auto& [control, setting] : settings) value(pose, control) = setting;
-  return pose;
-}
-
 Pose open_mouth() {
   return pose_of({{Jaw, 10.0}, {LipWidth, 4.0}, {UpperLipRaise, 2.0}});
 }
@@ -42,16 +35,8 @@ Pose closed_lips() {
   return pose_of({{Jaw, 2.0}, {LipClosure, 1.0}, {LipCompression, 0.5}});
 }
 
-class DrawnHead : public testing::Test {
+class DrawnHead : public Drawing {
  protected:
-  void SetUp() override {
-    try {
-      const EglContext probe;
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-
   [[nodiscard]] Image drawn(const Pose& pose, const View& view = small_view()) const {
     Image image;
     HeadRenderer{head_, view}.draw(pose, image);
