@@ -186,7 +186,8 @@ void add_measures(CLI::App& app, Verb& chosen) {
   verb->add_option("--rate-hz", options->rate_hz, "pictures a second (60)")
       ->check(finite_number())
       ->check(CLI::Range(1.0, 10'000.0));
-  verb->add_option("-o,--output", options->output, "file (.csv, .json, .svg, .pdf, .png)");
+  verb->add_option("-o,--output", options->output, "file (.csv, .json, .svg, .pdf, .png)")
+      ->check(in_a_folder_that_exists());
   auto* const list = verb->add_flag("--list", options->list, "prints all columns");
   verb->callback([options, text, list, &chosen] {
     if (text->count() == 0 && list->count() == 0) throw CLI::RequiredError("SCORE|TEXT or --list");

@@ -38,8 +38,9 @@ class Progress {
   Progress(Progress&&) = delete;
   Progress& operator=(Progress&&) = delete;
 
-  void begin(std::int64_t number, std::string_view name) const {
-    if (interrupt_asked()) throw Error{fmt::format("stopped; '{}' is not written", name)};
+  /// `left`: what an interruption leaves of the output, "not written" or "not complete".
+  void begin(std::int64_t number, std::string_view name, std::string_view left) const {
+    if (interrupt_asked()) throw Error{fmt::format("stopped; '{}' is {}", name, left)};
     if (is_told_) fmt::print(stderr, "\rframe {} of {} ", number + 1, count_);
   }
 
@@ -87,7 +88,7 @@ void write_film(const RenderOutput& output,
   {
     const Progress progress{frames};
     for (std::int64_t frame = 0; frame < frames; ++frame) {
-      progress.begin(frame, output.name);
+      progress.begin(frame, output.name, "not written");
       renderer.draw(seen.pose(rate.time_of(frame)), picture);
       video.add(picture);
     }
@@ -119,7 +120,7 @@ void write_frames(const RenderOutput& output,
     const Progress progress{frames};
     Image picture;
     for (std::int64_t frame = 0; frame < frames; ++frame) {
-      progress.begin(frame, output.name);
+      progress.begin(frame, output.name, "not complete");
       renderer.draw(seen.pose(style.rate.time_of(frame)), picture);
       writing.add(picture);
     }
@@ -161,7 +162,7 @@ void write_strip(const RenderOutput& output,
   Image picture;
   const Progress progress{static_cast<std::int64_t>(centres.size())};
   for (std::size_t i = 0; i < centres.size(); ++i) {
-    progress.begin(static_cast<std::int64_t>(i), output.name);
+    progress.begin(static_cast<std::int64_t>(i), output.name, "not written");
     renderer.draw(seen.pose(centres[i].time), picture);
     paste(strip, {static_cast<std::int64_t>(i * style.view.width), 0}, picture);
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/reading_strips.hpp"
 #include "runner/cli/sheet_painter.hpp"
 #include "runner/cli/verbs.hpp"
@@ -142,7 +143,9 @@ void add_sheets(CLI::App& app, Verb& chosen) {
   verb->add_option("SHEET", options->sheet, "which one")
       ->required()
       ->check(CLI::IsMember({"segments", "coarticulation", "continuum", "rates", "reading"}));
-  verb->add_option("-o,--output", options->output, "PNG file; of reading, a folder")->required();
+  verb->add_option("-o,--output", options->output, "PNG file; of reading, a folder")
+      ->required()
+      ->check(in_a_folder_that_exists());
   verb->add_option("--segments", options->segments, "inventory: a file, or english (default)");
   verb->add_option("--height", options->height, "of each picture in pixels (180)")
       ->check(CLI::Range(64, 1024));

@@ -53,7 +53,10 @@ class TrackReader {
 
   Track read() {
     const auto header = next_line();
-    if (!header) fail("the file is empty", "begin with a line such as time_ms,inner_h,outer_w");
+    if (!header)
+      fail("the file is empty",
+           "begin with the names of columns, e.g. time_ms,inner_h,outer_w (measures) or "
+           "time_ms,jaw (controls)");
     names_ = fields_of(*header);
     line_ = lines_.number();
     const auto first = next_line();
