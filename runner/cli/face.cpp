@@ -38,7 +38,7 @@ struct FaceOptions {
 
 ExitCode list_controls() {
   std::vector<std::vector<std::string>> rows{
-      {"control", "in the paper", "lowest", "highest", "neutral", "unit", "meaning"}};
+      {"control", "in the paper", "lowest", "highest", "neutral", "unit", "meaning", "source"}};
   for (const auto& row : synth::controls()) {
     rows.push_back({std::string{row.name},
                     row.paper_name.empty() ? "-" : std::string{row.paper_name},
@@ -46,11 +46,16 @@ ExitCode list_controls() {
                     fmt::format("{:g}", row.highest),
                     fmt::format("{:g}", row.neutral),
                     std::string{row.unit},
-                    std::string{row.meaning}});
+                    std::string{row.meaning},
+                    std::string{row.source}});
   }
-  print_text_table(rows, "llrrrll");
+  print_text_table(rows, "llrrrlll");
   fmt::print(
-      "\nThe paper: Cohen & Massaro (1993). Its names serve as well, e.g. jaw-rotation=8.\n\n");
+      "\nThe paper: Cohen & Massaro (1993), which tells of Pearce et al. (1986) and adds to it. "
+      "Its\n"
+      "names serve as well, e.g. jaw-rotation=8. Source: who described such a control first; "
+      "ranges\n"
+      "and units are those of this head.\n\n");
   std::vector<std::vector<std::string>> expressions{{"expression", "what it shows"}};
   for (const auto& expression : synth::expressions()) {
     expressions.push_back({std::string{expression.name}, std::string{expression.meaning}});

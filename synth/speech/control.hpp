@@ -59,6 +59,7 @@ struct ControlDescription {
   double highest;
   double neutral;
   std::string_view meaning;
+  std::string_view source;  ///< who described such a control first; all ranges are of this head
 };
 
 /// One row per control, in the order of the enumeration.
