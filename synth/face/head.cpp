@@ -18,6 +18,7 @@
 #include "synth/face/lip_contact.hpp"
 #include "synth/face/lip_measures.hpp"
 #include "synth/face/lip_tuck.hpp"
+#include "synth/face/lip_volume.hpp"
 #include "synth/face/mouth_loops.hpp"
 #include "synth/face/obj_reader.hpp"
 #include "synth/face/palate.hpp"
@@ -139,6 +140,7 @@ struct Head::Rig {
               x_of(rest)},
         linear{files.fields},
         tuck{files.fields, rest},
+        volume{mouth, rest},
         teeth{files.fields},
         lids{files.fields, rest},
         lashes{files.fields, rest},
@@ -192,6 +194,7 @@ struct Head::Rig {
                          .width_mm = value(pose, Control::LipWidth)},
                         mouth,
                         cage);
+    volume.keep(mouth, cage);
     teeth.push_lips_out(jaw, cage);
     const double lid = value(pose, Control::LidClosure);
     lids.close(lid, std::min(1.0, lid + value(pose, Control::RightLidClosure)), cage);
@@ -232,6 +235,7 @@ struct Head::Rig {
   MouthLoops mouth;
   LinearFields linear;
   LipTuck tuck;
+  LipVolume volume;
   TeethObstacle teeth;
   Lids lids;
   Lashes lashes;

@@ -61,15 +61,15 @@ class SkinFields:
         width = self.width()
         malar = self.malar()
         self.fields = {
-            "width": width + 0.14 * malar + 0.42 * self.nasolabial_fold(),  # spreading lifts the cheek
+            "width": width + 0.14 * malar + 0.80 * self.nasolabial_fold(),  # spreading lifts the cheek
             "narrow": self.narrow(width),
             "width_thin": self.width_thin(),
-            "protrude": self.protrude() + 0.20 * self.chin_fold(),
+            "protrude": self.protrude() + 0.28 * self.chin_fold(),
             "funnel": self.funnel(),
             "upraise": self.upraise(),
             "lowraise": self.lowraise() + 0.30 * self.chin_fold(),
             "cornx": cornx,
-            "corny": corny + 0.36 * malar + 0.36 * self.nasolabial_fold(),
+            "corny": corny + 0.36 * malar + 0.55 * self.nasolabial_fold(),
             "cornz": cornz,
             "puff": self.puff(),
             "brow": self.brow(),
