@@ -9,6 +9,7 @@
 #include "synth/face/palate.hpp"
 #include "synth/face/surface_tree.hpp"
 #include "synth/inspection/front_view.hpp"
+#include "synth/inspection/outside_cells.hpp"
 
 namespace bimodal::synth {
 
@@ -52,6 +53,11 @@ std::vector<std::uint32_t> where(const SurfaceDescription& surface, auto&& holds
   return triangles;
 }
 
+/// How far to look for something nearer than `nearest`, which may lie inside: then deeper counts.
+float worth_looking(float nearest) {
+  return std::max(nearest, kDeepest);
+}
+
 /// Calls visit(point) at the corners and in the middle of every triangle.
 void for_each_sample(std::span<const glm::vec3> positions,
                      std::span<const std::uint32_t> triangles,
@@ -93,6 +99,36 @@ bool under_palate(const glm::vec3& point) {
          static_cast<double>(std::abs(point.x)) < palate_half_width(z) - 0.5;
 }
 
+/// A closed part that keeps its form, in the frame in which it rests.
+class FirmPart {
+ public:
+  FirmPart(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles)
+      : tree{positions, triangles}, outside_{tree, least(positions), most(positions)} {}
+
+  /// mm by which a point lies inside, at most kDeepest; 0 outside.
+  [[nodiscard]] float depth(const glm::vec3& point) const {
+    if (outside_.surely_hold(point)) return 0.0F;
+    return std::max(0.0F, -tree.signed_distance(point, kDeepest));
+  }
+
+  SurfaceTree tree;
+
+ private:
+  static glm::vec3 least(std::span<const glm::vec3> positions) {
+    glm::vec3 corner = positions.front();
+    for (const auto& point : positions) corner = glm::min(corner, point);
+    return corner;
+  }
+
+  static glm::vec3 most(std::span<const glm::vec3> positions) {
+    glm::vec3 corner = positions.front();
+    for (const auto& point : positions) corner = glm::max(corner, point);
+    return corner;
+  }
+
+  OutsideCells outside_;
+};
+
 }  // namespace
 
 double Penetrations::worst() const {
@@ -103,8 +139,8 @@ struct MouthRuler::Tools {
   explicit Tools(const Head& measured)
       : head{measured},
         resting{posed_at(neutral_pose())},
-        upper_teeth{tree(HeadSurface::UpperTeeth)},
-        lower_teeth{tree(HeadSurface::LowerTeeth)},
+        upper_teeth{firm(HeadSurface::UpperTeeth)},
+        lower_teeth{firm(HeadSurface::LowerTeeth)},
         palate{tree(HeadSurface::Palate)},
         ridge{palate_part(true)},
         behind_ridge{palate_part(false)},
@@ -132,6 +168,10 @@ struct MouthRuler::Tools {
     return {resting.at(name).positions, description(name).triangles};
   }
 
+  [[nodiscard]] FirmPart firm(HeadSurface name) const {
+    return {resting.at(name).positions, description(name).triangles};
+  }
+
   [[nodiscard]] SurfaceTree palate_part(bool of_ridge) const {
     const auto& surface = description(HeadSurface::Palate);
     return {resting.at(HeadSurface::Palate).positions, where(surface, [&](std::uint32_t v) {
@@ -144,8 +184,8 @@ struct MouthRuler::Tools {
 
   const Head& head;
   PosedHead resting;
-  SurfaceTree upper_teeth;
-  SurfaceTree lower_teeth;
+  FirmPart upper_teeth;
+  FirmPart lower_teeth;
   SurfaceTree palate;
   SurfaceTree ridge;
   SurfaceTree behind_ridge;
@@ -175,14 +215,14 @@ const LipMeasures& MouthRuler::lips() const {
 
 double MouthRuler::lip_to_incisors_mm() const {
   float nearest = kFarthest;
-  for_each_sample(
-      tools_->posed.at(HeadSurface::Skin).positions,
-      tools_->lower_lip,
-      [&](const glm::vec3& point) {
-        if (std::abs(point.x) > kIncisorsHalfWidth) return;
-        nearest = std::min(
-            nearest, tools_->upper_teeth.signed_distance(tools_->frames.upper(point), kFarthest));
-      });
+  for_each_sample(tools_->posed.at(HeadSurface::Skin).positions,
+                  tools_->lower_lip,
+                  [&](const glm::vec3& point) {
+                    if (std::abs(point.x) > kIncisorsHalfWidth) return;
+                    nearest = std::min(nearest,
+                                       tools_->upper_teeth.tree.signed_distance(
+                                           tools_->frames.upper(point), worth_looking(nearest)));
+                  });
   return static_cast<double>(nearest);
 }
 
@@ -213,9 +253,10 @@ TonguePlace MouthRuler::tongue() const {
   double beside = palate_half_width(kBladeFrom);
   for (const glm::vec3& point : tools_->posed.at(HeadSurface::Tongue).positions) {
     const auto at = tools_->frames.upper(point);
-    to_ridge = std::min(to_ridge, tools_->ridge.signed_distance(at, to_ridge));
+    to_ridge = std::min(to_ridge, tools_->ridge.signed_distance(at, worth_looking(to_ridge)));
     if (!under_palate(at)) continue;
-    to_palate = std::min(to_palate, tools_->behind_ridge.signed_distance(at, to_palate));
+    to_palate =
+        std::min(to_palate, tools_->behind_ridge.signed_distance(at, worth_looking(to_palate)));
     const glm::dvec3 place{at};
     if (place.z > kBladeFrom && place.z < kBladeTo && place.y > kUnderPalate) {
       beside = std::min(beside, palate_half_width(place.z) - std::abs(place.x));
@@ -231,13 +272,13 @@ Penetrations MouthRuler::penetrations() const {
   const auto& skin = tools_->posed.at(HeadSurface::Skin).positions;
   const SurfaceTree flesh{skin, tools_->mouth_skin};
   const auto in_teeth = [&](const glm::vec3& point) {
-    return std::min(tools_->upper_teeth.signed_distance(frames.upper(point), kDeepest),
-                    tools_->lower_teeth.signed_distance(frames.lower(point), kDeepest));
+    return std::max(tools_->upper_teeth.depth(frames.upper(point)),
+                    tools_->lower_teeth.depth(frames.lower(point)));
   };
 
   float flesh_in_teeth = 0;
   for_each_sample(skin, tools_->mouth_skin, [&](const glm::vec3& point) {
-    flesh_in_teeth = std::min(flesh_in_teeth, in_teeth(point));
+    flesh_in_teeth = std::max(flesh_in_teeth, in_teeth(point));
   });
   float tongue_in_teeth = 0;
   float in_palate = 0;
@@ -245,7 +286,7 @@ Penetrations MouthRuler::penetrations() const {
   for_each_sample(tools_->posed.at(HeadSurface::Tongue).positions,
                   tools_->description(HeadSurface::Tongue).triangles,
                   [&](const glm::vec3& point) {
-                    tongue_in_teeth = std::min(tongue_in_teeth, in_teeth(point));
+                    tongue_in_teeth = std::max(tongue_in_teeth, in_teeth(point));
                     const auto at = frames.upper(point);
                     if (under_palate(at)) {
                       in_palate = std::min(in_palate, tools_->palate.signed_distance(at, kDeepest));
@@ -256,8 +297,8 @@ Penetrations MouthRuler::penetrations() const {
                     }
                   });
   return {.lip_in_lip = std::max(0.0, -tools_->posed.lips.smallest_gap_mm),
-          .flesh_in_teeth = static_cast<double>(-flesh_in_teeth),
-          .tongue_in_teeth = static_cast<double>(-tongue_in_teeth),
+          .flesh_in_teeth = static_cast<double>(flesh_in_teeth),
+          .tongue_in_teeth = static_cast<double>(tongue_in_teeth),
           .tongue_in_palate = static_cast<double>(-in_palate),
           .tongue_in_flesh = static_cast<double>(-in_flesh)};
 }
