@@ -17,7 +17,7 @@ constexpr PerRing kPressedToLine{0.0, 0.0, 0.12, 0.32, 0.42, 0.36, 0.0, 0.0, 0.0
 constexpr PerRing kPressedInward{0.0, 0.0, 0.0, 0.1, 1.3, 2.4, 1.0, 0.5, 0.0, 0.0};  // mm
 
 // How soon narrowing closes a pair, from the midline (column 0) to beside the corner (7).
-constexpr std::array<double, MouthLoops::kCorner> kZip{0.0, 0.06, 0.34, 0.78, 0.96, 1.0, 1.0, 1.0};
+constexpr std::array<double, MouthLoops::kCorner> kZip{0.0, 0.04, 0.20, 0.74, 0.96, 1.0, 1.0, 1.0};
 constexpr double kFullZipMm = 16.0;
 // Spread lips meet beside the corners, so that the opening ends in a point there.
 constexpr std::array<double, MouthLoops::kCorner> kSpreadZip{
