@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -81,8 +82,8 @@ Look read_look(ObjectReader& parent, Findings& findings) {
   return look;
 }
 
-/// The keys "coarticulation" and "segments", which only the synthetic face has.
-Articulating read_articulating(ObjectReader& reader, bool is_face, Findings& findings) {
+/// The keys "coarticulation" and "segments".
+Articulating read_articulating(ObjectReader& reader) {
   Articulating articulating;
   std::vector<std::string_view> names;
   for (const auto& row : accounts()) names.push_back(row.name);
@@ -96,27 +97,34 @@ Articulating read_articulating(ObjectReader& reader, bool is_face, Findings& fin
                     .meaning = "an inventory of segments: the name of one that ships, e.g. "
                                "\"turkish-plateau\", or the path of a file relative to the "
                                "protocol"}));
-  for (const auto* key : {"coarticulation", "segments"}) {
-    if (is_face || !reader.has(key)) continue;
-    findings.error(reader.pointer_to(key),
-                   "recordings articulate in their own way",
-                   "remove it, or let \"face\" be seen");
-  }
   return articulating;
 }
+
+/// Keys that only the synthetic face has.
+void refuse_for_recordings(ObjectReader& reader, Findings& findings) {
+  for (const auto* key : {"coarticulation", "segments", "face"}) {
+    if (!reader.has(key)) continue;
+    findings.error(reader.pointer_to(key),
+                   "recordings articulate and look in their own way",
+                   "remove it, or let \"face\" be seen");
+  }
+}
+
+/// The keys of who is seen, beside the talker; `is_face`: it is, or may be, the synthetic face.
+using ReadSeen = std::function<void(ObjectReader& visual, bool is_face)>;
 
 struct WrittenTalker {
   std::optional<std::string> name;
   std::string otherwise;
 };
 
-/// {"talker": "festival:kal"}, or null or nothing for none. Of who is seen, look and articulation
-/// are read into `seen`.
+/// {"talker": "festival:kal"}, or null or nothing for none. `read_seen` reads what else is said of
+/// who is seen.
 WrittenTalker read_talker(ObjectReader& parent,
                           std::string_view key,
                           std::span<const std::string_view> built_in,
                           Findings& findings,
-                          Condition* seen = nullptr) {
+                          const ReadSeen& read_seen = {}) {
   WrittenTalker talker;
   const auto* value = parent.find(key);
   if (value == nullptr || value->is_null()) return talker;
@@ -132,11 +140,9 @@ WrittenTalker read_talker(ObjectReader& parent,
           "remove it, or name a corpus as the talker");
     }
   }
-  if (seen != nullptr) {
-    const bool is_face =
-        !talker.name || !is_corpus(*talker.name) || talker.otherwise == kFaces.front();
-    seen->look = read_look(reader, findings);
-    seen->articulating = read_articulating(reader, is_face, findings);
+  if (read_seen) {
+    read_seen(reader,
+              !talker.name || !is_corpus(*talker.name) || talker.otherwise == kFaces.front());
   }
   reader.refuse_unknown_keys();
   return talker;
@@ -202,7 +208,11 @@ void judge_talkers(const ObjectReader& reader,
   }
 }
 
-WrittenCondition read_condition(const Json& value, std::string pointer, Findings& findings) {
+WrittenCondition read_condition(const Json& value,
+                                std::string pointer,
+                                const Face& usual,
+                                const FaceReader& faces,
+                                Findings& findings) {
   WrittenCondition written{.condition = {},
                            .pointer = pointer,
                            .auditory_otherwise = {},
@@ -217,7 +227,14 @@ WrittenCondition read_condition(const Json& value, std::string pointer, Findings
   take(condition.name, reader.text("name", name));
   take(condition.optional, reader.flag("optional"));
   auto auditory = read_talker(reader, "auditory", kVoices, findings);
-  auto visual = read_talker(reader, "visual", kFaces, findings, &condition);
+  condition.face = usual;
+  const auto read_seen = [&](ObjectReader& visual, bool is_face) {
+    condition.look = read_look(visual, findings);
+    condition.articulating = read_articulating(visual);
+    condition.face = faces.read(visual, usual);
+    if (!is_face) refuse_for_recordings(visual, findings);
+  };
+  auto visual = read_talker(reader, "visual", kFaces, findings, read_seen);
   auto timing = read_talker(reader, "timing", kVoices, findings);
   condition.auditory_talker = std::move(auditory.name);
   condition.visual_talker = std::move(visual.name);
@@ -250,10 +267,13 @@ WrittenCondition read_condition(const Json& value, std::string pointer, Findings
 
 }  // namespace
 
-std::vector<WrittenCondition> read_conditions(ObjectReader& parent, Findings& findings) {
+std::vector<WrittenCondition> read_conditions(ObjectReader& parent,
+                                              const Face& usual,
+                                              const FaceReader& faces,
+                                              Findings& findings) {
   std::vector<WrittenCondition> conditions;
   for (const auto& [item, pointer] : parent.items("conditions", 1, kMostConditions)) {
-    conditions.push_back(read_condition(*item, pointer, findings));
+    conditions.push_back(read_condition(*item, pointer, usual, faces, findings));
   }
   return conditions;
 }

@@ -6,6 +6,7 @@
 #include "protocols/model/talker.hpp"
 #include "runner/devices/monotonic_clock.hpp"
 #include "runner/preparation/face_talker.hpp"
+#include "stimuli/base/asset.hpp"
 #include "stimuli/timeline/inventory_file.hpp"
 
 namespace bimodal::runner {
@@ -44,10 +45,12 @@ Duration measure_full_picture(const ShownLook& look) {
       {{.segment = Phone::M, .start = 0ms, .duration = 150ms},
        {.segment = Phone::AA, .start = 150ms, .duration = 250ms}}};
   const synth::SegmentTable table{inventory_file("english")};
-  FaceTalker talker{look.lines, look.background, synth::Quality::Full};
+  const synth::Head head{asset("synth/assets/head")};
+  FaceTalker talker{head, look, synth::Quality::Full};
   auto every_picture = look;
   every_picture.frame_rate.reset();
-  const auto face = with_look(talker.say(kSaid, table, Account::Dominance), every_picture);
+  const auto face =
+      with_look(talker.say(kSaid, table, Account::Dominance, bearing_of(look.face)), every_picture);
   static_cast<void>(face->paint(0ms));  // the first one also compiles shaders
   const MonotonicClock clock;
   std::array<Duration, kPictures> times{};
