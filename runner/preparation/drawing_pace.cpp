@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "protocols/model/talker.hpp"
 #include "runner/devices/monotonic_clock.hpp"
@@ -15,11 +16,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Pixels a second, as far as looks are to be compared.
-double cost(const ShownLook& look) {
+/// Pixels a second, then what is drawn in them: as far as looks are to be compared.
+auto cost(const ShownLook& look) {
   constexpr double kUsualRate = 60.0;
   const double rate = look.frame_rate ? std::min(look.frame_rate->count(), kUsualRate) : kUsualRate;
-  return static_cast<double>(look.lines * look.lines) * rate;
+  const bool is_seen_through = look.face.transparency > 0.0;
+  return std::tuple{static_cast<double>(look.lines * look.lines) * rate,
+                    is_seen_through,
+                    shown_parts(look.face).count()};
 }
 
 }  // namespace

@@ -31,11 +31,6 @@ synth::PartSet parts_of(const std::vector<std::string>& names) {
   return parts;
 }
 
-synth::PartSet shown_parts(const protocols::Face& face) {
-  const auto shown = face.show.empty() ? synth::all_parts() : parts_of(face.show);
-  return shown & ~parts_of(face.hide);
-}
-
 synth::Points points_of(const protocols::Face& face) {
   const auto* const found =
       std::ranges::find(kPointNames, face.points, [](const auto& row) { return row.first; });
@@ -53,6 +48,11 @@ std::vector<std::string_view> names_of(const synth::PartSet& shown) {
 }
 
 }  // namespace
+
+synth::PartSet shown_parts(const protocols::Face& face) {
+  const auto shown = face.show.empty() ? synth::all_parts() : parts_of(face.show);
+  return shown & ~parts_of(face.hide);
+}
 
 std::filesystem::path material_file(const std::string& material) {
   constexpr std::string_view kFolder = "synth/assets/materials";

@@ -27,6 +27,9 @@ struct Bearing {
 /// Names that the face does not know are left out: protocols are judged when they are read.
 [[nodiscard]] Bearing bearing_of(const protocols::Face& face);
 
+/// The parts that are drawn.
+[[nodiscard]] synth::PartSet shown_parts(const protocols::Face& face);
+
 /// What of the head is drawn, and how. Throws Error if the materials cannot be read.
 [[nodiscard]] synth::Appearance appearance_of(const protocols::Face& face, synth::Quality quality);
 

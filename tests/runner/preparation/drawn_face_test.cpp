@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "runner/preparation/drawing_pace.hpp"
 #include "runner/preparation/face_terms.hpp"
 #include "runner/preparation/live_faces.hpp"
 #include "runner/preparation/view_names.hpp"
@@ -155,6 +156,23 @@ TEST(FaceTerms, AreThoseOfTheSchema) {
     EXPECT_EQ(controls.at(std::string{control.name}).at("minimum"), control.lowest);
     EXPECT_EQ(controls.at(std::string{control.name}).at("maximum"), control.highest);
   }
+}
+
+TEST(CostliestFace, IsTheOneOfWhichMostIsDrawn) {
+  protocols::Protocol protocol;
+  const auto add = [&](const std::string& name, const Face& face) {
+    protocol.conditions.push_back({.name = name, .visual_talker = "face", .face = face});
+  };
+  add("lips", {.show = {"lips"}});
+  add("whole", {});
+  add("no tongue", {.hide = {"tongue"}});
+  std::vector<protocols::PlannedTrial> plan(3);
+  for (std::size_t i = 0; i < plan.size(); ++i) plan[i].condition = i;
+  EXPECT_EQ(costliest_face(protocol, plan, {}).value().face, Face{});
+  add("see-through", {.transparency = 0.5});
+  EXPECT_EQ(costliest_face(protocol, plan, {}).value().face, Face{});  // in no trial
+  plan.push_back({.condition = 3});
+  EXPECT_EQ(costliest_face(protocol, plan, {}).value().face.transparency, 0.5);
 }
 
 TEST(LiveFaces, AreMadeWhenTheyAreNeededAndNeverMany) {
