@@ -22,7 +22,6 @@ using namespace std::chrono_literals;
 constexpr std::size_t kMostConditions = 100;
 constexpr std::array<std::string_view, 2> kVoices{"festival:kal", "festival:slt"};
 constexpr std::array<std::string_view, 1> kFaces{"face"};
-constexpr std::array<std::string_view, 2> kAfterGate{"blank", "freeze"};
 
 template <typename T>
 void take(T& target, std::optional<T> read) {
@@ -140,10 +139,9 @@ WrittenTalker read_talker(ObjectReader& parent,
           "remove it, or name a corpus as the talker");
     }
   }
-  if (read_seen) {
-    read_seen(reader,
-              !talker.name || !is_corpus(*talker.name) || talker.otherwise == kFaces.front());
-  }
+  const bool may_be_built_in =
+      !talker.name || !is_corpus(*talker.name) || !talker.otherwise.empty();
+  if (read_seen) read_seen(reader, may_be_built_in);
   reader.refuse_unknown_keys();
   return talker;
 }
@@ -156,7 +154,8 @@ std::optional<Gate> read_gate(ObjectReader& parent, Findings& findings) {
       "at_ms", 1ms, {1, 60'000, "milliseconds since the onset of the speech, e.g. 120"});
   take(gate.after_phone,
        read_whole(*reader, "after_phone", {1, 100, "the number of a phone, from 1"}));
-  if (const auto picture = reader->choice("picture", kAfterGate)) {
+  constexpr std::array<std::string_view, 2> kPictures{"blank", "freeze"};
+  if (const auto picture = reader->choice("picture", kPictures)) {
     gate.picture = static_cast<AfterGate>(*picture);
   }
   const bool both = reader->has("at_ms") && reader->has("after_phone");

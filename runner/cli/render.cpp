@@ -117,8 +117,8 @@ void refuse_instant_outside(const RenderOptions& options, const SeenSpeech& seen
   const double end = seen.end.count();
   if (*options.at_ms >= 0.0 && *options.at_ms <= end) return;
   throw Error{
-      fmt::format("--at {:g}: there is nothing to be seen; it begins at 0 and ends at "
-                  "{:.1f} ms; give an instant between",
+      fmt::format("--at {:g}: there is nothing to be seen; it begins at 0 and ends at {:.1f} ms; "
+                  "give an instant between",
                   *options.at_ms,
                   end)};
 }
@@ -178,7 +178,7 @@ void add_render(CLI::App& app, Verb& chosen) {
       "  %04d.png, or a folder (ends with /)    one picture a frame\n"
       "  .wav                                   the voice alone\n"
       "Without a voice, phones have their intrinsic durations; with one, Festival times them.\n"
-      "Exit code: 0 done, 3 errors.\n\n"
+      "Exit code: 0 done, 2 wrong usage (also a folder that is not there), 3 errors.\n\n"
       "Examples:\n"
       "  bimodal render \"Temporary food, stew.\" --audio -o stew.mp4\n"
       "  bimodal render stew -o stew.png --view mouth          one picture a phone\n"

@@ -126,8 +126,7 @@ bool names_score(const std::string& text) {
   if (!names_what_is_there(text)) return false;
   throw Error{
       fmt::format("'{}' is a file or folder, but no score; the name of a score ends with .json (a "
-                  "sound is given "
-                  "to `render` by --audio, and `bimodal align` finds its phones)",
+                  "sound is given to `render` by --audio, and `bimodal align` finds its phones)",
                   text)};
 }
 
