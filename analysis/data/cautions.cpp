@@ -83,6 +83,37 @@ void caution_ambiguous_conditions(Dataset& dataset) {
   }
 }
 
+void caution_faces(Dataset& dataset) {
+  std::map<std::string, std::set<std::string>> faces;
+  for (const auto& trial : dataset.trials) {
+    if (trial.face) faces[trial.condition].insert(*trial.face);
+  }
+  for (const auto& [condition, found] : faces) {
+    if (found.size() < 2) continue;
+    dataset.warnings.push_back(fmt::format(
+        "The synthetic face of condition \"{}\" looked in {} ways in these data (plan.face of the "
+        "data files); they are counted as one condition.",
+        condition,
+        found.size()));
+  }
+}
+
+void caution_face_qualities(Dataset& dataset) {
+  std::int64_t fast = 0;
+  std::int64_t full = 0;
+  for (const auto& session : dataset.sessions) {
+    if (session.analysed_trials == 0) continue;
+    if (session.face_quality == "fast") ++fast;
+    if (session.face_quality == "full") ++full;
+  }
+  if (fast == 0 || full == 0) return;
+  dataset.warnings.push_back(
+      fmt::format("The face was drawn in full quality in {} and in fast in {}: participants may "
+                  "differ by it. \"face_quality\" in the protocol draws all alike.",
+                  counted(full, "session", "sessions"),
+                  fast));
+}
+
 void caution_repetitions(Dataset& dataset) {
   std::map<std::tuple<std::string_view, std::string_view, std::string_view>, int> met;
   for (const auto& trial : dataset.trials) ++met[{trial.participant, trial.condition, trial.word}];
@@ -131,6 +162,8 @@ void caution_trials(Dataset& dataset) {
 void add_cautions(Dataset& dataset) {
   caution_mixtures(dataset);
   caution_ambiguous_conditions(dataset);
+  caution_faces(dataset);
+  caution_face_qualities(dataset);
   caution_unfinished(dataset);
   caution_shortened(dataset);
   caution_repetitions(dataset);

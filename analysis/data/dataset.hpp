@@ -27,14 +27,16 @@ struct SessionSummary {
   std::uint64_t seed = 0;
   std::string program_version;
   std::string started_utc;
-  std::string outcome;      ///< "complete", "stopped", "interrupted"
-  std::string observer;     ///< of simulated answers; empty for people
-  bool simulated = false;   ///< a simulated observer answered, or time was virtual
-  int planned_trials = 0;   ///< practice included
-  bool shortened = false;   ///< by --trials or --no-practice of `run` or `rehearse`
-  int stored_trials = 0;    ///< practice included
-  int analysed_trials = 0;  ///< left after all exclusions
-  int flagged_trials = 0;   ///< among the stored
+  std::string outcome;       ///< "complete", "stopped", "interrupted"
+  std::string observer;      ///< of simulated answers; empty for people
+  bool simulated = false;    ///< a simulated observer answered, or time was virtual
+  int planned_trials = 0;    ///< practice included
+  std::string face_quality;  ///< "fast", "full"; empty: no synthetic face was drawn, or unknown
+  std::string face_quality_basis;  ///< why: "protocol", "measured", "unwatched"
+  bool shortened = false;          ///< by --trials or --no-practice of `run` or `rehearse`
+  int stored_trials = 0;           ///< practice included
+  int analysed_trials = 0;         ///< left after all exclusions
+  int flagged_trials = 0;          ///< among the stored
 };
 
 /// Trials that were stored but are not analysed. A trial is counted once, under its first reason.

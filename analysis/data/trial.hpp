@@ -23,6 +23,7 @@ struct Trial {
   std::string word;                            ///< that was heard, or seen if nothing was heard
   std::optional<std::string> visual_word;      ///< that was seen, if it was dubbed onto another
   std::optional<std::string> articulation;     ///< of a face whose sounds are ambiguous
+  std::optional<std::string> face;             ///< what it looked like; absent: none, or not stored
   Pronunciation phones;                        ///< as presented
   std::string response;                        ///< as submitted, UTF-8; empty for an omission
   /// Since the planned end of the stimulus, so negative for a key pressed before it.

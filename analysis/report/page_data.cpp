@@ -37,12 +37,18 @@ std::string simulated_banner(const Dataset& dataset) {
       simulated == sessions ? "nothing" : "little");
 }
 
+/// "full (measured)".
+std::string face_of(const SessionSummary& session) {
+  if (session.face_quality.empty()) return "&#8211;";
+  return escaped(fmt::format("{} ({})", session.face_quality, session.face_quality_basis));
+}
+
 std::string rows_of_sessions(const Dataset& dataset) {
   std::string rows;
   for (const auto& session : dataset.sessions) {
     rows += fmt::format(
         "<tr><td>{}</td><td class='number'>{}</td><td class='number'>{}</td><td>{}</td>"
-        "<td>{}{}</td><td class='number'>{} / {}</td><td class='number'>{}</td>"
+        "<td>{}{}</td><td>{}</td><td class='number'>{} / {}</td><td class='number'>{}</td>"
         "<td class='number'>{}</td></tr>\n",
         escaped(session.participant),
         session.session_number,
@@ -50,6 +56,7 @@ std::string rows_of_sessions(const Dataset& dataset) {
         escaped(session.started_utc),
         escaped(session.outcome),
         session.simulated ? ", <b>SIMULATED</b>" : "",
+        face_of(session),
         session.stored_trials,
         session.planned_trials,
         session.analysed_trials,
@@ -97,10 +104,14 @@ std::string part_of_data(const Results& results) {
       "</tr></thead><tbody>{}<tr><td></td><td>{} <span class='note'>(dictionary)</span></td>"
       "<td class='hash'>{}</td></tr></tbody></table>\n<h3>Sessions</h3>\n<table><thead><tr>"
       "<th>Participant</th><th class='number'>Session</th><th class='number'>File</th>"
-      "<th>Started (UTC)</th><th>Outcome</th><th class='number'>Stored / planned</th>"
+      "<th>Started (UTC)</th><th>Outcome</th><th>Face drawn</th>"
+      "<th class='number'>Stored / planned</th>"
       "<th class='number'>Analysed</th><th class='number'>Flagged</th></tr></thead>\n"
       "<tbody>{}</tbody></table>\n<p class='note'>Stored and planned trials include practice. "
-      "Flagged: the timing was not as planned.</p>\n",
+      "Flagged: the timing was not as planned. Face drawn: how finely, and why: the protocol says "
+      "so, "
+      "it was measured that the machine keeps ahead of the session, or nobody looked (unwatched); "
+      "&#8211;: no synthetic face was drawn, or it is not known.</p>\n",
       rows_of_exclusions(dataset),
       files,
       escaped(results.dictionary.file),

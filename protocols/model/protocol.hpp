@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "protocols/model/face.hpp"
 #include "stimuli/base/quantity.hpp"
 #include "stimuli/base/random.hpp"
 #include "stimuli/timeline/account.hpp"
@@ -74,6 +75,7 @@ struct Condition {
   Manner manner;
   Look look;
   Articulating articulating;
+  Face face;  ///< of the synthetic face: its own keys, else those of Protocol::face
 };
 
 /// How words meet conditions.
@@ -154,6 +156,7 @@ struct Protocol {
   Intervals intervals;
   Sound sound;
   Window window;
+  Face face;  ///< the synthetic face, where conditions do not say otherwise
   std::string farewell;
 };
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "protocols/model/talker.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/json_text.hpp"
 
@@ -98,6 +99,17 @@ void judge_window(const Protocol& protocol, Findings& findings) {
   }
 }
 
+void judge_face(const Protocol& protocol, Findings& findings) {
+  if (protocol.face == Face{} || findings.faulty("/conditions")) return;
+  const bool seen = std::ranges::any_of(protocol.conditions, [](const Condition& condition) {
+    return condition.visual_talker && !is_corpus(*condition.visual_talker);
+  });
+  if (seen) return;
+  findings.warning("/face",
+                   "no condition shows the synthetic face",
+                   "remove it, or let \"face\" be seen in some condition");
+}
+
 void judge_breaks(const Protocol& protocol, std::size_t trials, Findings& findings) {
   if (findings.faulty("/breaks")) return;
   const auto every = static_cast<std::size_t>(protocol.breaks.every_trials);
@@ -185,6 +197,7 @@ void judge_meaning(const Protocol& protocol,
   judge_ramps(protocol, findings);
   judge_intervals(protocol, findings);
   judge_window(protocol, findings);
+  judge_face(protocol, findings);
   if (words.empty()) return;
   judge_answers(protocol, words, findings);
   judge_breaks(protocol, words.size(), findings);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,7 +22,6 @@ using namespace std::chrono_literals;
 constexpr std::size_t kMostConditions = 100;
 constexpr std::array<std::string_view, 2> kVoices{"festival:kal", "festival:slt"};
 constexpr std::array<std::string_view, 1> kFaces{"face"};
-constexpr std::array<std::string_view, 2> kAfterGate{"blank", "freeze"};
 
 template <typename T>
 void take(T& target, std::optional<T> read) {
@@ -81,8 +81,8 @@ Look read_look(ObjectReader& parent, Findings& findings) {
   return look;
 }
 
-/// The keys "coarticulation" and "segments", which only the synthetic face has.
-Articulating read_articulating(ObjectReader& reader, bool is_face, Findings& findings) {
+/// The keys "coarticulation" and "segments".
+Articulating read_articulating(ObjectReader& reader) {
   Articulating articulating;
   std::vector<std::string_view> names;
   for (const auto& row : accounts()) names.push_back(row.name);
@@ -96,27 +96,34 @@ Articulating read_articulating(ObjectReader& reader, bool is_face, Findings& fin
                     .meaning = "an inventory of segments: the name of one that ships, e.g. "
                                "\"turkish-plateau\", or the path of a file relative to the "
                                "protocol"}));
-  for (const auto* key : {"coarticulation", "segments"}) {
-    if (is_face || !reader.has(key)) continue;
-    findings.error(reader.pointer_to(key),
-                   "recordings articulate in their own way",
-                   "remove it, or let \"face\" be seen");
-  }
   return articulating;
 }
+
+/// Keys that only the synthetic face has.
+void refuse_for_recordings(ObjectReader& reader, Findings& findings) {
+  for (const auto* key : {"coarticulation", "segments", "face"}) {
+    if (!reader.has(key)) continue;
+    findings.error(reader.pointer_to(key),
+                   "recordings articulate and look in their own way",
+                   "remove it, or let \"face\" be seen");
+  }
+}
+
+/// The keys of who is seen, beside the talker; `is_face`: it is, or may be, the synthetic face.
+using ReadSeen = std::function<void(ObjectReader& visual, bool is_face)>;
 
 struct WrittenTalker {
   std::optional<std::string> name;
   std::string otherwise;
 };
 
-/// {"talker": "festival:kal"}, or null or nothing for none. Of who is seen, look and articulation
-/// are read into `seen`.
+/// {"talker": "festival:kal"}, or null or nothing for none. `read_seen` reads what else is said of
+/// who is seen.
 WrittenTalker read_talker(ObjectReader& parent,
                           std::string_view key,
                           std::span<const std::string_view> built_in,
                           Findings& findings,
-                          Condition* seen = nullptr) {
+                          const ReadSeen& read_seen = {}) {
   WrittenTalker talker;
   const auto* value = parent.find(key);
   if (value == nullptr || value->is_null()) return talker;
@@ -132,12 +139,9 @@ WrittenTalker read_talker(ObjectReader& parent,
           "remove it, or name a corpus as the talker");
     }
   }
-  if (seen != nullptr) {
-    const bool is_face =
-        !talker.name || !is_corpus(*talker.name) || talker.otherwise == kFaces.front();
-    seen->look = read_look(reader, findings);
-    seen->articulating = read_articulating(reader, is_face, findings);
-  }
+  const bool may_be_built_in =
+      !talker.name || !is_corpus(*talker.name) || !talker.otherwise.empty();
+  if (read_seen) read_seen(reader, may_be_built_in);
   reader.refuse_unknown_keys();
   return talker;
 }
@@ -150,7 +154,8 @@ std::optional<Gate> read_gate(ObjectReader& parent, Findings& findings) {
       "at_ms", 1ms, {1, 60'000, "milliseconds since the onset of the speech, e.g. 120"});
   take(gate.after_phone,
        read_whole(*reader, "after_phone", {1, 100, "the number of a phone, from 1"}));
-  if (const auto picture = reader->choice("picture", kAfterGate)) {
+  constexpr std::array<std::string_view, 2> kPictures{"blank", "freeze"};
+  if (const auto picture = reader->choice("picture", kPictures)) {
     gate.picture = static_cast<AfterGate>(*picture);
   }
   const bool both = reader->has("at_ms") && reader->has("after_phone");
@@ -202,7 +207,11 @@ void judge_talkers(const ObjectReader& reader,
   }
 }
 
-WrittenCondition read_condition(const Json& value, std::string pointer, Findings& findings) {
+WrittenCondition read_condition(const Json& value,
+                                std::string pointer,
+                                const Face& usual,
+                                const FaceReader& faces,
+                                Findings& findings) {
   WrittenCondition written{.condition = {},
                            .pointer = pointer,
                            .auditory_otherwise = {},
@@ -217,7 +226,14 @@ WrittenCondition read_condition(const Json& value, std::string pointer, Findings
   take(condition.name, reader.text("name", name));
   take(condition.optional, reader.flag("optional"));
   auto auditory = read_talker(reader, "auditory", kVoices, findings);
-  auto visual = read_talker(reader, "visual", kFaces, findings, &condition);
+  condition.face = usual;
+  const auto read_seen = [&](ObjectReader& visual, bool is_face) {
+    condition.look = read_look(visual, findings);
+    condition.articulating = read_articulating(visual);
+    condition.face = faces.read(visual, usual);
+    if (!is_face) refuse_for_recordings(visual, findings);
+  };
+  auto visual = read_talker(reader, "visual", kFaces, findings, read_seen);
   auto timing = read_talker(reader, "timing", kVoices, findings);
   condition.auditory_talker = std::move(auditory.name);
   condition.visual_talker = std::move(visual.name);
@@ -250,10 +266,13 @@ WrittenCondition read_condition(const Json& value, std::string pointer, Findings
 
 }  // namespace
 
-std::vector<WrittenCondition> read_conditions(ObjectReader& parent, Findings& findings) {
+std::vector<WrittenCondition> read_conditions(ObjectReader& parent,
+                                              const Face& usual,
+                                              const FaceReader& faces,
+                                              Findings& findings) {
   std::vector<WrittenCondition> conditions;
   for (const auto& [item, pointer] : parent.items("conditions", 1, kMostConditions)) {
-    conditions.push_back(read_condition(*item, pointer, findings));
+    conditions.push_back(read_condition(*item, pointer, usual, faces, findings));
   }
   return conditions;
 }

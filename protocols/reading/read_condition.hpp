@@ -5,6 +5,7 @@
 
 #include "protocols/model/protocol.hpp"
 #include "protocols/model/talker.hpp"
+#include "protocols/reading/read_face.hpp"
 #include "stimuli/base/findings.hpp"
 #include "stimuli/base/object_reader.hpp"
 
@@ -20,8 +21,10 @@ struct WrittenCondition {
   std::string timing_otherwise;
 };
 
-/// Reads the key "conditions" and notes every mistake.
+/// Reads the key "conditions" and notes every mistake. `usual`: what the protocol says of the face.
 [[nodiscard]] std::vector<WrittenCondition> read_conditions(ObjectReader& parent,
+                                                            const Face& usual,
+                                                            const FaceReader& faces,
                                                             Findings& findings);
 
 /// "#606060" as 0x606060; noted and absent if it is no colour.

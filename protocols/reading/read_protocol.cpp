@@ -10,6 +10,7 @@
 #include "protocols/reading/judge_repertoire.hpp"
 #include "protocols/reading/meaning.hpp"
 #include "protocols/reading/structure.hpp"
+#include "stimuli/base/asset.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/findings.hpp"
@@ -35,6 +36,17 @@ void find_words(const Structure& structure, WordFinder& finder, ReadProtocol& re
   }
 }
 
+/// What to do about a text that is no JSON.
+std::string remedy_of(const TextFault& fault, std::string_view text) {
+  if (text.find_first_not_of(" \t\r\n") != std::string_view::npos) return fault.remedy;
+  try {
+    return fmt::format("begin with a copy of {}",
+                       asset("protocols/library/first-steps.json").string());
+  } catch (const Error&) {
+    return fault.remedy;  // the library is not installed
+  }
+}
+
 }  // namespace
 
 ReadProtocol read_protocol_text(std::string text,
@@ -45,14 +57,19 @@ ReadProtocol read_protocol_text(std::string text,
   read.sha256 = sha256(read.text);
   const auto parsed = parse_json(read.text);
   if (const auto* fault = std::get_if<TextFault>(&parsed)) {
-    read.diagnostics.push_back(
-        {Severity::Error, file.string(), fault->line, "", fault->finding, fault->remedy});
+    read.diagnostics.push_back({Severity::Error,
+                                file.string(),
+                                fault->line,
+                                "",
+                                fault->finding,
+                                remedy_of(*fault, read.text)});
     return read;
   }
   const JsonLines lines{read.text};
   Findings findings;
   findings.refuse_duplicates(lines);
-  auto structure = read_structure(std::get<nlohmann::json>(parsed), findings);
+  const FaceReader faces{options.face, file.parent_path(), findings};
+  auto structure = read_structure(std::get<nlohmann::json>(parsed), faces, findings);
   read.protocol = structure.protocol;
   read.cast = options.cast;
   auto cast = protocols::cast(structure.conditions, file.parent_path(), options.cast, findings);

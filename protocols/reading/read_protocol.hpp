@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "protocols/model/face_terms.hpp"
 #include "protocols/model/protocol.hpp"
 #include "protocols/reading/casting.hpp"
 #include "stimuli/base/diagnostic.hpp"
@@ -30,6 +31,7 @@ struct ReadProtocol {
 struct ReadOptions {
   std::filesystem::path dictionary;  ///< CMU format; empty: Dictionary::installed()
   CastOptions cast;
+  FaceTerms face;  ///< what a protocol may ask of the synthetic face
 };
 
 /// Reads a protocol (key by key in protocols/README.md) and every word list that it names, and

@@ -267,7 +267,7 @@ void read_texts(ObjectReader& reader, Protocol& protocol) {
 
 }  // namespace
 
-Structure read_structure(const Json& json, Findings& findings) {
+Structure read_structure(const Json& json, const FaceReader& faces, Findings& findings) {
   Structure structure;
   auto& protocol = structure.protocol;
   ObjectReader reader{json, "", findings};
@@ -282,7 +282,8 @@ Structure read_structure(const Json& json, Findings& findings) {
   structure.words = read_words(reader, "words", findings);
   if (structure.words) protocol.words = structure.words->list;
   reader.require("conditions", "[ { \"name\": ..., \"auditory\": ..., \"visual\": ... } ]");
-  structure.conditions = read_conditions(reader, findings);
+  protocol.face = faces.read(reader, {});
+  structure.conditions = read_conditions(reader, protocol.face, faces, findings);
   const auto assignment = reader.choice("assignment", kAssignments);
   if (assignment) protocol.assignment = static_cast<Assignment>(*assignment);
   structure.practice = read_practice(reader, findings);

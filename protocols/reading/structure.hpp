@@ -8,6 +8,7 @@
 
 #include "protocols/model/protocol.hpp"
 #include "protocols/reading/read_condition.hpp"
+#include "protocols/reading/read_face.hpp"
 #include "stimuli/base/findings.hpp"
 #include "stimuli/timeline/segment.hpp"
 
@@ -42,6 +43,8 @@ struct Structure {
 };
 
 /// Reads every key and notes every mistake. Of a protocol in a newer format it says only that.
-[[nodiscard]] Structure read_structure(const nlohmann::json& json, Findings& findings);
+[[nodiscard]] Structure read_structure(const nlohmann::json& json,
+                                       const FaceReader& faces,
+                                       Findings& findings);
 
 }  // namespace bimodal::protocols

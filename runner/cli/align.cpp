@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/verbs.hpp"
 #include "stimuli/alignment/aligner.hpp"
 #include "stimuli/base/counted.hpp"
@@ -181,10 +182,10 @@ void add_align(CLI::App& app, Verb& chosen) {
   what->add_option("--phones", options->phones, "the phones of one word, in ARPAbet");
   what->require_option(1);
   verb->add_option("--dictionary", options->dictionary, "in CMU format, instead of the installed");
-  verb->add_option(
-      "-o,--output",
-      options->output,
-      "label file to be written: .TextGrid, .lab, .align or .csv (phones are printed)");
+  verb->add_option("-o,--output",
+                   options->output,
+                   "label file to be written: .TextGrid, .lab, .align or .csv (phones are printed)")
+      ->check(in_a_folder_that_exists());
   verb->callback([options, &chosen] { chosen = [options] { return align(*options); }; });
 }
 

@@ -64,6 +64,26 @@ std::string articulating_text(const protocols::Articulating& articulating) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// What is different about the face, as far as it is.
+std::string face_text(const protocols::Face& face) {
+  std::vector<std::string> parts;
+  const protocols::Face usual;
+  if (face.view != usual.view) parts.push_back(fmt::format("from {}", face.view));
+  if (!face.material.empty()) parts.push_back(fmt::format("material {}", face.material));
+  if (!face.show.empty()) parts.push_back(fmt::format("only {}", fmt::join(face.show, ", ")));
+  if (!face.hide.empty()) parts.push_back(fmt::format("without {}", fmt::join(face.hide, ", ")));
+  if (face.transparency > 0.0) {
+    parts.push_back(fmt::format("skin {:g} transparent", face.transparency));
+  }
+  if (face.points != usual.points) parts.push_back(fmt::format("points of light: {}", face.points));
+  for (const auto* amounts : {&face.expression, &face.controls}) {
+    for (const auto& [name, amount] : *amounts) {
+      parts.push_back(fmt::format("{} {:g}", name, amount));
+    }
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 void print_details(const protocols::Condition& condition) {
   const auto print_line = [](std::string_view what, std::string_view text) {
     if (!text.empty()) fmt::print("               {:<14} {} {}\n", "", what, text);
@@ -71,6 +91,9 @@ void print_details(const protocols::Condition& condition) {
   print_line("presented", manner_text(condition.manner));
   print_line("looks", look_text(condition.look));
   print_line("articulates", articulating_text(condition.articulating));
+  if (condition.visual_talker && !protocols::is_corpus(*condition.visual_talker)) {
+    print_line("face", face_text(condition.face));
+  }
   if (condition.av_offset) {
     print_line("sound after picture",
                fmt::format("{:+g} ms", 1000.0 * seconds(*condition.av_offset)));
@@ -145,7 +168,8 @@ auto shows_face(const protocols::Protocol& protocol) {
 }
 
 /// Full quality, where it is asked for, is measured: an experimenter must know how long it takes.
-std::string face_text(const ReadProtocol& read, const std::vector<protocols::PlannedTrial>& plan) {
+std::string drawing_text(const ReadProtocol& read,
+                         const std::vector<protocols::PlannedTrial>& plan) {
   const auto wanted = read.protocol.window.face_quality;
   if (wanted == protocols::FaceQuality::Fast) {
     return describe(choose_quality(wanted, std::nullopt));
@@ -168,7 +192,7 @@ std::string face_text(const ReadProtocol& read, const std::vector<protocols::Pla
 void print_face(const ReadProtocol& read, const std::vector<protocols::PlannedTrial>& plan) {
   if (std::ranges::none_of(plan, shows_face(read.protocol))) return;
   try {
-    fmt::print("  drawing      {}\n", face_text(read, plan));
+    fmt::print("  drawing      {}\n", drawing_text(read, plan));
   } catch (const Error& error) {  // checked on a machine that will not run it, perhaps
     fmt::print("  drawing      the face cannot be drawn here: {}\n", error.what());
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/corpus_verbs.hpp"
+#include "runner/cli/option_checks.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/corpus/contact_sheet.hpp"
 
@@ -43,7 +44,8 @@ void add_corpus_sheet(CLI::App& corpus, Verb& chosen) {
                                            "  bimodal corpus sheet anna --doubtful");
   auto options = std::make_shared<SheetOptions>();
   verb->add_option("CORPUS", options->corpus, "a folder with corpus.json")->required();
-  verb->add_option("-o,--output", options->output, "the picture (sheet.png)");
+  verb->add_option("-o,--output", options->output, "the picture (sheet.png)")
+      ->check(in_a_folder_that_exists());
   verb->add_flag("--doubtful", options->doubtful, "only doubtful items");
   verb->callback([options, &chosen] { chosen = [options] { return sheet(*options); }; });
 }

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "runner/cli/option_checks.hpp"
+#include "runner/preparation/point_names.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/nearest.hpp"
 
@@ -21,11 +22,6 @@ constexpr std::array<std::pair<std::string_view, synth::Shading>, 3> kShadings{
     {{"smooth", synth::Shading::Smooth},
      {"gouraud", synth::Shading::Gouraud},
      {"flat", synth::Shading::Flat}}};
-
-constexpr std::array<std::pair<std::string_view, synth::Points>, 3> kPoints{
-    {{"sparse", synth::Points::Sparse},
-     {"lips", synth::Points::Lips},
-     {"all", synth::Points::All}}};
 
 synth::PartSet parts_of(std::string_view option, std::span<const std::string> names) {
   synth::PartSet parts;
@@ -112,7 +108,7 @@ synth::Appearance face_appearance(const AppearanceOptions& options, const synth:
   for (const auto& [name, shading] : kShadings) {
     if (name == options.shading) appearance.shading = shading;
   }
-  for (const auto& [name, points] : kPoints) {
+  for (const auto& [name, points] : kPointNames) {
     if (name == options.points) appearance.points = points;
   }
   if (options.quality == "full") {

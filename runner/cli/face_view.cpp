@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "runner/cli/option_checks.hpp"
+#include "runner/preparation/view_names.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {
@@ -40,7 +41,7 @@ void read_size(const std::string& size, synth::View& view) {
 
 void add_view_options(CLI::App& verb, ViewOptions& options) {
   verb.add_option("--view", options.view, "front (default), threequarter, side or mouth")
-      ->check(CLI::IsMember({"front", "threequarter", "side", "mouth"}));
+      ->check(CLI::IsMember(view_names()));
   verb.add_option("--height", options.height, "of a picture in pixels (720)")
       ->check(CLI::Range(kSmallest, kLargest));
   verb.add_option("--size", options.size, "of a picture in pixels, e.g. 1280x1024");
@@ -70,12 +71,7 @@ synth::View face_view(const ViewOptions& options) {
   const auto height = static_cast<std::size_t>(options.height) / 2 * 2;
   synth::View view{.width = height * 8 / 9 / 2 * 2, .height = height};
   if (!options.size.empty()) read_size(options.size, view);
-  if (options.view == "threequarter") view.yaw_deg = 38.0;
-  if (options.view == "side") view.yaw_deg = 90.0;
-  if (options.view == "mouth") {
-    view.centre_y_mm = -70.0;
-    view.field_mm = 120.0;
-  }
+  take_view(options.view, view);
   view.yaw_deg = options.yaw_deg.value_or(view.yaw_deg);
   view.pitch_deg = options.pitch_deg.value_or(view.pitch_deg);
   view.field_mm = options.field_mm.value_or(view.field_mm);

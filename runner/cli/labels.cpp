@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/verbs.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
@@ -143,7 +144,8 @@ void add_labels(CLI::App& app, Verb& chosen) {
   verb->add_option("FILE", options->input, "the file of labels; its ending tells the format")
       ->required();
   verb->add_option(
-      "-o,--output", options->output, "the file to be written; its ending tells the format");
+          "-o,--output", options->output, "the file to be written; its ending tells the format")
+      ->check(in_a_folder_that_exists());
   verb->add_option("--tier", options->tier, "only the tier of this name");
   verb->add_flag("--phones",
                  options->phones,

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/preparation/drawn_face.hpp"
 #include "runner/preparation/shown_look.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
@@ -47,7 +48,10 @@ class MediaCheck {
     if (natural) check_talker(*condition.visual_talker, Need::Picture);
     const bool timed_apart = !condition.auditory_talker && condition.visual_talker && !natural;
     if (timed_apart) check_talker(condition.timing_talker, Need::Nothing);
-    if (condition.visual_talker && !natural) check_inventory(condition.articulating.segments);
+    if (condition.visual_talker && !natural) {
+      check_inventory(condition.articulating.segments);
+      check_materials(condition.face.material);
+    }
     if (condition.visual_talker) check_look(condition);
   }
 
@@ -59,6 +63,17 @@ class MediaCheck {
       if (table) check_contacts(*table, file);
     } catch (const Error& error) {
       find(error.what(), "name another inventory of segments");
+    }
+  }
+
+  /// Of a preset, or of a file, which is judged as an inventory is.
+  void check_materials(const std::string& material) {
+    if (material.empty() || !told_.insert("materials " + material).second) return;
+    try {
+      const auto file = material_file(material);
+      static_cast<void>(synth::Materials::parse(read_file(file), file.string(), diagnostics_));
+    } catch (const Error& error) {
+      find(error.what(), "name other materials");
     }
   }
 

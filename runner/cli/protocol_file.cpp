@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/preparation/face_terms.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
 
@@ -47,7 +48,8 @@ void add_protocol_options(CLI::App& verb, ProtocolChoice& choice) {
 }
 
 std::optional<protocols::ReadProtocol> load_protocol(const ProtocolChoice& choice) {
-  protocols::ReadOptions options{.cast = {.without = choice.without, .with = choice.with}};
+  protocols::ReadOptions options{.cast = {.without = choice.without, .with = choice.with},
+                                 .face = face_terms()};
   for (const auto& corpus : choice.corpora) {
     const auto equals = corpus.find('=');
     if (equals == std::string::npos || equals == 0) {

@@ -54,6 +54,11 @@ std::string rate_fault(const std::string& text) {
   return "'" + text + "' is no frame rate from 1 to 1000; give e.g. 60, 29.97 or 30000/1001";
 }
 
+/// A folder of frames is made if need be.
+std::string place_fault(std::string text) {
+  return text.ends_with('/') ? std::string{} : in_a_folder_that_exists()(text);
+}
+
 std::vector<RenderOutput> outputs_of(const RenderOptions& options) {
   std::vector<RenderOutput> outputs;
   for (const auto& name : options.outputs) {
@@ -106,6 +111,18 @@ void refuse_options_of_speech(const RenderOptions& options) {
       spoken.text)};
 }
 
+/// At the very end the last phone is over.
+void refuse_instant_outside(const RenderOptions& options, const SeenSpeech& seen) {
+  if (!options.at_ms) return;
+  const double end = seen.end.count();
+  if (*options.at_ms >= 0.0 && *options.at_ms <= end) return;
+  throw Error{
+      fmt::format("--at {:g}: there is nothing to be seen; it begins at 0 and ends at {:.1f} ms; "
+                  "give an instant between",
+                  *options.at_ms,
+                  end)};
+}
+
 SeenSpeech seen_speech(const RenderOptions& options, bool voiced) {
   if (!names_tracks(options.spoken.text)) {
     return articulated_speech(options.spoken, account_from_name(options.account).value(), voiced);
@@ -133,6 +150,7 @@ ExitCode render(const RenderOptions& options) {
   }
   const auto expressions = read_expressions(options.expressions);
   const auto seen = with_expressions(seen_speech(options, voiced), expressions);
+  refuse_instant_outside(options, seen);
   const Clip* sound = own_sound ? &*own_sound : options.audio ? &seen.sound.value() : nullptr;
   const RenderStyle style{
       .view = view,
@@ -160,7 +178,7 @@ void add_render(CLI::App& app, Verb& chosen) {
       "  %04d.png, or a folder (ends with /)    one picture a frame\n"
       "  .wav                                   the voice alone\n"
       "Without a voice, phones have their intrinsic durations; with one, Festival times them.\n"
-      "Exit code: 0 done, 3 errors.\n\n"
+      "Exit code: 0 done, 2 wrong usage (also a folder that is not there), 3 errors.\n\n"
       "Examples:\n"
       "  bimodal render \"Temporary food, stew.\" --audio -o stew.mp4\n"
       "  bimodal render stew -o stew.png --view mouth          one picture a phone\n"
@@ -176,7 +194,8 @@ void add_render(CLI::App& app, Verb& chosen) {
   add_account_option(*verb, options->account);
   verb->add_option("-o,--output", options->outputs, "what to write; may be given several times")
       ->required()
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->check(CLI::Validator{[](std::string& text) { return place_fault(text); }, ""});
   verb->add_option("--audio",
                    options->audio,
                    "with the voice; or, with a file (WAV, FLAC), with a sound of your own, which "

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/segments_verbs.hpp"
 #include "runner/cli/text_table.hpp"
 #include "stimuli/base/asset.hpp"
@@ -174,7 +175,8 @@ void add_segments_show(CLI::App& segments, Verb& chosen) {
   auto options = std::make_shared<ShowOptions>();
   verb->add_option("SEGMENT", options->symbol, "e.g. UW, or B~W:3/8")->required();
   verb->add_option("--segments", options->segments, "a file, or english (default)");
-  verb->add_option("-o,--output", options->output, "plot of its dominance (.svg, .pdf, .png)");
+  verb->add_option("-o,--output", options->output, "plot of its dominance (.svg, .pdf, .png)")
+      ->check(in_a_folder_that_exists());
   verb->add_option("--picture", options->picture, "the face at its targets (.png)");
   verb->callback([options, &chosen] { chosen = [options] { return show(*options); }; });
 }

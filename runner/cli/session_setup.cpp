@@ -8,6 +8,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include "runner/preparation/drawn_face.hpp"
 #include "runner/store/stored_session.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
@@ -137,6 +138,17 @@ std::string phones_of(const protocols::ReadProtocol& read,
   return spell(word.phones);
 }
 
+/// What the synthetic face looks like in each condition; empty where there is none.
+std::vector<std::string> face_records(const protocols::Protocol& protocol) {
+  std::vector<std::string> records;
+  for (const auto& condition : protocol.conditions) {
+    const bool has_face =
+        condition.visual_talker && !protocols::is_corpus(*condition.visual_talker);
+    records.push_back(has_face ? face_record(condition.face) : std::string{});
+  }
+  return records;
+}
+
 SessionRecord session_record(const protocols::ReadProtocol& read,
                              const std::string& participant,
                              protocols::SessionKey key) {
@@ -166,6 +178,7 @@ DeviceRecord record_of(const AudioOutput& audio) {
 
 std::vector<PlanRecord> plan_records(const protocols::ReadProtocol& read,
                                      const std::vector<protocols::PlannedTrial>& plan) {
+  const auto faces = face_records(read.protocol);
   std::vector<PlanRecord> records;
   records.reserve(plan.size());
   for (const auto& trial : plan) {
@@ -184,6 +197,7 @@ std::vector<PlanRecord> plan_records(const protocols::ReadProtocol& read,
     const bool has_face =
         condition.visual_talker && !protocols::is_corpus(*condition.visual_talker);
     if (has_face && !shown.empty()) record.articulation = spell(shown);
+    if (has_face) record.face = faces.at(trial.condition);
     if (condition.snr) record.snr_db = condition.snr->count();
     records.push_back(std::move(record));
   }

@@ -112,15 +112,22 @@ void refuse_idle_options(const SpokenOptions& options, bool is_score) {
   }
 }
 
+/// Whether a text is the name of something that is there: with a folder, or an ending (mine.wav).
+bool names_what_is_there(const std::string& text) {
+  std::error_code ignored;
+  const bool is_name =
+      text.find('/') != std::string::npos || std::filesystem::path{text}.has_extension();
+  return is_name && std::filesystem::exists(text, ignored);
+}
+
 /// A name that ends with ".json"; another file that is there is refused, not said as a text.
 bool names_score(const std::string& text) {
   if (lower_case(std::filesystem::path{text}.extension().string()) == ".json") return true;
-  std::error_code ignored;
-  if (text.find('/') != std::string::npos && std::filesystem::exists(text, ignored)) {
-    throw Error{fmt::format(
-        "'{}' is a file or folder, but no score; the name of a score ends with .json", text)};
-  }
-  return false;
+  if (!names_what_is_there(text)) return false;
+  throw Error{
+      fmt::format("'{}' is a file or folder, but no score; the name of a score ends with .json (a "
+                  "sound is given to `render` by --audio, and `bimodal align` finds its phones)",
+                  text)};
 }
 
 }  // namespace

@@ -92,7 +92,9 @@ void add_stimuli(CLI::App& app, Verb& chosen) {
          options->trial,
          "number of the trial, from 1, practice included: one more than `trial` in the data")
       ->required();
-  mix->add_option("-o,--output", options->output, "the WAV file to be written")->required();
+  mix->add_option("-o,--output", options->output, "the WAV file to be written")
+      ->required()
+      ->check(in_a_folder_that_exists());
   mix->add_option("--participant", options->participant, "whose trial (P01)");
   mix->add_option("--number", options->number, "the participant's number, if the name has none")
       ->check(whole_number_from(1));

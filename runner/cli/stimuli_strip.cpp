@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "runner/cli/media_check.hpp"
+#include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/preparation/face_quality.hpp"
 #include "runner/preparation/trial_preparer.hpp"
@@ -266,7 +267,8 @@ void add_stimuli_strip(CLI::App& stimuli, Verb& chosen) {
                    "a condition in which somebody is seen (all of them); may be given again")
       ->allow_extra_args(false)
       ->delimiter(',');
-  verb->add_option("-o,--output", options->output, "the PNG file to be written");
+  verb->add_option("-o,--output", options->output, "the PNG file to be written")
+      ->check(in_a_folder_that_exists());
   verb->add_option("--frames", options->frames, "folder for every frame: CONDITION/frame0000.png");
   verb->add_option("--refresh-hz", options->rate_hz, "refresh rate of the display (60)")
       ->check(CLI::Range(10.0, 1000.0));

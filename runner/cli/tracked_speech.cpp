@@ -43,6 +43,16 @@ std::string text_of(const std::string& file) {
   return read_file(file);
 }
 
+/// "did you mean 'jaw'? " of the first name that is nearly known; else nothing.
+std::string nearest_of(const std::vector<std::string>& names,
+                       const std::vector<std::string_view>& known) {
+  for (const auto& name : names) {
+    if (name == "time_ms" || name == "time_s") continue;
+    if (const auto near = nearest(name, known)) return fmt::format("did you mean '{}'? ", *near);
+  }
+  return {};
+}
+
 /// Which of the columns' names are controls of the face; tells of the others, but for times and
 /// dominances ("jaw@2").
 std::vector<std::string> controls_among(const std::vector<std::string>& names,
@@ -55,9 +65,10 @@ std::vector<std::string> controls_among(const std::vector<std::string>& names,
   }
   if (found.empty()) {
     throw Error{fmt::format(
-        "{}: none of its columns is a control of the face; name them in the first line, without "
+        "{}: none of its columns is a control of the face; {}name them in the first line, without "
         "quotation marks; there are {}",
         file,
+        nearest_of(names, known),
         fmt::join(known, ", "))};
   }
   for (const auto& name : names) {

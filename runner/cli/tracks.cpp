@@ -136,7 +136,8 @@ void add_tracks(CLI::App& app, Verb& chosen) {
       ->delimiter(',')
       ->allow_extra_args(false);
   add_account_option(*verb, options->account);
-  verb->add_option("-o,--output", options->output, "file (.csv, .json, .svg, .pdf, .png)");
+  verb->add_option("-o,--output", options->output, "file (.csv, .json, .svg, .pdf, .png)")
+      ->check(in_a_folder_that_exists());
   verb->callback([options, &chosen] { chosen = [options] { return tracks(*options); }; });
 }
 

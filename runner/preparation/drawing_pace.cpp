@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "protocols/model/talker.hpp"
 #include "runner/devices/monotonic_clock.hpp"
 #include "runner/preparation/face_talker.hpp"
+#include "stimuli/base/asset.hpp"
 #include "stimuli/timeline/inventory_file.hpp"
 
 namespace bimodal::runner {
@@ -14,11 +16,14 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Pixels a second, as far as looks are to be compared.
-double cost(const ShownLook& look) {
+/// Pixels a second, then what is drawn in them: as far as looks are to be compared.
+auto cost(const ShownLook& look) {
   constexpr double kUsualRate = 60.0;
   const double rate = look.frame_rate ? std::min(look.frame_rate->count(), kUsualRate) : kUsualRate;
-  return static_cast<double>(look.lines * look.lines) * rate;
+  const bool is_seen_through = look.face.transparency > 0.0;
+  return std::tuple{static_cast<double>(look.lines * look.lines) * rate,
+                    is_seen_through,
+                    shown_parts(look.face).count()};
 }
 
 }  // namespace
@@ -44,10 +49,12 @@ Duration measure_full_picture(const ShownLook& look) {
       {{.segment = Phone::M, .start = 0ms, .duration = 150ms},
        {.segment = Phone::AA, .start = 150ms, .duration = 250ms}}};
   const synth::SegmentTable table{inventory_file("english")};
-  FaceTalker talker{look.lines, look.background, synth::Quality::Full};
+  const synth::Head head{asset("synth/assets/head")};
+  FaceTalker talker{head, look, synth::Quality::Full};
   auto every_picture = look;
   every_picture.frame_rate.reset();
-  const auto face = with_look(talker.say(kSaid, table, Account::Dominance), every_picture);
+  const auto face =
+      with_look(talker.say(kSaid, table, Account::Dominance, bearing_of(look.face)), every_picture);
   static_cast<void>(face->paint(0ms));  // the first one also compiles shaders
   const MonotonicClock clock;
   std::array<Duration, kPictures> times{};

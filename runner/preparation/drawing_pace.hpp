@@ -11,7 +11,8 @@
 namespace bimodal::runner {
 
 /// The look of the synthetic face that takes longest to draw in the trials of `plan`: the most
-/// pixels a second. Absent if they show none. Throws Error as nature_of().
+/// pixels a second, and among equals skin that is seen through, then the most parts. Absent if they
+/// show none. Throws Error as nature_of().
 [[nodiscard]] std::optional<ShownLook> costliest_face(
     const protocols::Protocol& protocol,
     const std::vector<protocols::PlannedTrial>& plan,

@@ -4,7 +4,9 @@
 #include <span>
 #include <string>
 
+#include "runner/preparation/drawn_face.hpp"
 #include "runner/preparation/frame_source.hpp"
+#include "runner/preparation/shown_look.hpp"
 #include "stimuli/timeline/account.hpp"
 #include "stimuli/timeline/segment.hpp"
 #include "synth/render/head_renderer.hpp"
@@ -12,26 +14,27 @@
 
 namespace bimodal::runner {
 
-/// The synthetic face as a talker: head and drawing. Belongs to the thread that made
+/// The synthetic face as a talker: what draws the head in one look. Belongs to the thread that made
 /// it.
 class FaceTalker {
  public:
-  /// Distance of the outer eye corners, in parts of the picture's height: 90 of 312 mm.
-  static constexpr double kEyeDistance = 90.0 / 312.0;
+  /// Distance of the outer eye corners, in parts of the height of a picture of the whole head.
+  static constexpr double kEyeDistance = 90.0 / kWholeHead;
 
-  /// A face `height` pixels high (its picture is 8/9 as wide) before `background` (0xRRGGBB).
-  FaceTalker(std::size_t height, std::uint32_t background, synth::Quality quality);
+  /// A face `look.lines` pixels high (its picture is 8/9 as wide). `head` is borrowed.
+  FaceTalker(const synth::Head& head, const ShownLook& look, synth::Quality quality);
 
-  /// The face articulating `segments` as `table` and `account` say. Must not outlive the talker.
+  /// The face articulating `segments` as `table` and `account` say, in this bearing. Must not
+  /// outlive the talker.
   [[nodiscard]] std::unique_ptr<FrameSource> say(std::span<const TimedSegment> segments,
                                                  const synth::SegmentTable& table,
-                                                 Account account);
+                                                 Account account,
+                                                 Bearing bearing = {});
 
   /// The OpenGL that draws it.
   [[nodiscard]] std::string description() const { return renderer_.description(); }
 
  private:
-  synth::Head head_;
   synth::HeadRenderer renderer_;
 };
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/preparation/drawn_face.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/digest.hpp"
 #include "synth/render/opengl_description.hpp"
@@ -30,7 +31,7 @@ std::string drawing_identity() {
 
 std::string film_key(const FilmOrigin& origin) {
   const auto& [drawing, articulation, table, account, look, quality, layout, rate, cut] = origin;
-  const auto& [height, lines, frame_rate, blur_px, background] = look;
+  const auto& [height, lines, frame_rate, blur_px, background, face] = look;
   const auto& [recording, lead, trail, sound_lead, sound_trail, av_offset, has_sound] = layout;
   auto text = fmt::format(
       "drawing {}\ninventory {}\naccount {}\n", drawing, table, static_cast<int>(account));
@@ -43,6 +44,7 @@ std::string film_key(const FilmOrigin& origin) {
                  blur_px,
                  background,
                  static_cast<int>(quality));
+  fmt::format_to(out, "face {}\n", face_record(face));
   // Where the sound stands does not move the pictures, but for the frames that it needs.
   fmt::format_to(out,
                  "layout {} {} {} {} {} {} {} at {}\n",

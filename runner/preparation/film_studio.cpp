@@ -14,12 +14,6 @@ const ShownLook& FilmStudio::look_of(const protocols::Condition& condition) {
   return looks_.emplace(condition.name, decide_look(condition, window_, corpora_)).first->second;
 }
 
-FaceTalker& FilmStudio::face(const ShownLook& look) {
-  auto& face = faces_[{look.lines, look.background}];
-  if (!face) face = std::make_unique<FaceTalker>(look.lines, look.background, quality_);
-  return *face;
-}
-
 const synth::SegmentTable& FilmStudio::table(const std::string& file) {
   const auto known = tables_.find(file);
   if (known != tables_.end()) return known->second;
@@ -29,9 +23,11 @@ const synth::SegmentTable& FilmStudio::table(const std::string& file) {
 Film FilmStudio::drawn_film_of_face(const Scene& scene,
                                     const protocols::Articulating& articulating,
                                     const Checkpoint& checkpoint) {
-  auto talker =
-      face(scene.look)
-          .say(scene.enactment.articulation, table(articulating.segments), articulating.account);
+  auto talker = faces_.face(scene.look)
+                    .say(scene.enactment.articulation,
+                         table(articulating.segments),
+                         articulating.account,
+                         bearing_of(scene.look.face));
   const auto shown = with_look(std::move(talker), scene.look);
   return make_film(scene.layout, scene.drawing_rate, *shown, checkpoint, scene.cut);
 }

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 
 #include "protocols/model/protocol.hpp"
 #include "runner/preparation/enactment.hpp"
-#include "runner/preparation/face_talker.hpp"
 #include "runner/preparation/film_cache.hpp"
 #include "runner/preparation/frame_source.hpp"
+#include "runner/preparation/live_faces.hpp"
 #include "runner/preparation/shown_look.hpp"
 #include "synth/speech/segment_table.hpp"
 
@@ -26,7 +25,11 @@ class FilmStudio {
              const std::map<std::string, Corpus>& corpora,
              synth::Quality quality,
              std::optional<FilmCache> cache = std::nullopt)
-      : window_{window}, corpora_{corpora}, quality_{quality}, cache_{std::move(cache)} {}
+      : window_{window},
+        corpora_{corpora},
+        quality_{quality},
+        cache_{std::move(cache)},
+        faces_{quality} {}
 
   /// Throws Error if the talker cannot be drawn or decoded.
   [[nodiscard]] Film film(const protocols::Condition& condition,
@@ -71,7 +74,6 @@ class FilmStudio {
   [[nodiscard]] Film drawn_film_of_face(const Scene& scene,
                                         const protocols::Articulating& articulating,
                                         const Checkpoint& checkpoint);
-  [[nodiscard]] FaceTalker& face(const ShownLook& look);
   [[nodiscard]] const synth::SegmentTable& table(const std::string& file);
 
   const protocols::Window& window_;
@@ -79,7 +81,7 @@ class FilmStudio {
   synth::Quality quality_;
   std::optional<FilmCache> cache_;
   std::string drawing_;  ///< drawing_identity(), once it has been asked for
-  std::map<std::pair<std::size_t, std::uint32_t>, std::unique_ptr<FaceTalker>> faces_;
+  LiveFaces faces_;
   std::map<std::string, synth::SegmentTable> tables_;  ///< by their files
   std::map<std::string, ShownLook> looks_;             ///< by the condition's name
 };

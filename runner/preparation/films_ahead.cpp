@@ -1,7 +1,9 @@
 #include "runner/preparation/films_ahead.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -18,6 +20,18 @@ constexpr std::size_t kAnnouncements = 10;
 /// Of the cache: the rest is for the films that the session draws besides.
 constexpr std::uintmax_t most_of(std::uintmax_t room) {
   return room / 4 * 3;
+}
+
+/// Films of one condition after each other, as far as trials of one stretch go: a face of another
+/// look takes time to make, and none of the first trials shall wait for all of the last ones.
+void bring_looks_together(std::vector<const protocols::PlannedTrial*>& trials) {
+  constexpr std::size_t kStretch = 24;
+  for (std::size_t begin = 0; begin < trials.size(); begin += kStretch) {
+    const auto stretch =
+        std::span{trials}.subspan(begin).first(std::min(kStretch, trials.size() - begin));
+    std::ranges::stable_sort(
+        stretch, {}, [](const protocols::PlannedTrial* trial) { return trial->condition; });
+  }
 }
 
 }  // namespace
@@ -45,6 +59,7 @@ void draw_films_ahead(const std::vector<protocols::PlannedTrial>& plan,
     }
   }
   if (lacking.empty()) return;
+  bring_looks_together(lacking);
   announce(fmt::format("drawing {} of the face before the first trial: {}; kept for later sessions",
                        counted(lacking.size(), "film"),
                        about_minutes(film_time * static_cast<std::int64_t>(lacking.size()))));

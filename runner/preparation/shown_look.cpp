@@ -9,6 +9,7 @@
 
 #include "protocols/model/talker.hpp"
 #include "runner/preparation/face_talker.hpp"
+#include "runner/preparation/view_names.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/picture/resize.hpp"
 #include "stimuli/video/frame_reader.hpp"
@@ -126,13 +127,16 @@ ShownLook decide_look(const protocols::Condition& condition,
                       const std::map<std::string, Corpus>& corpora) {
   const auto& wanted = condition.look;
   const auto whole = static_cast<std::size_t>(window.face_height);
+  const bool is_face = condition.visual_talker && !protocols::is_corpus(*condition.visual_talker);
   ShownLook look{.height = wanted.height ? static_cast<std::size_t>(*wanted.height) : whole,
                  .lines = 0,
                  .frame_rate = wanted.frame_rate,
                  .blur_px = wanted.blur_px,
-                 .background = wanted.background.value_or(window.background)};
+                 .background = wanted.background.value_or(window.background),
+                 .face = is_face ? condition.face : protocols::Face{}};
   if (!wanted.like.empty()) {
-    const auto own = nature_of(*condition.visual_talker, corpora);
+    auto own = nature_of(*condition.visual_talker, corpora);
+    if (!shows_whole_head(look.face.view)) own.eye_distance.reset();
     const auto other = nature_of(wanted.like, corpora);
     // The other is shown at the window's height.
     if (!wanted.height && own.eye_distance && other.eye_distance) {

@@ -20,6 +20,7 @@ struct ShownLook {
   std::optional<Hertz> frame_rate;  ///< the picture changes no more often
   double blur_px = 0.0;             ///< standard deviation, pixels on the screen
   std::uint32_t background = 0;     ///< behind the synthetic face
+  protocols::Face face;             ///< of the synthetic face; default for others
 
   auto operator<=>(const ShownLook&) const = default;
 };

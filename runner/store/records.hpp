@@ -61,6 +61,8 @@ struct PlanRecord {
   std::string phones;                       ///< "S T UW"
   std::optional<std::string> visual_word;   ///< what was seen, if it was another word
   std::optional<std::string> articulation;  ///< what the face did where sounds are ambiguous
+  /// What the synthetic face looked like, as JSON; absent: none, or files of versions below 5.
+  std::optional<std::string> face;
   std::string condition;
   std::optional<std::string> auditory_talker;
   std::optional<std::string> visual_talker;

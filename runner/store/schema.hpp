@@ -9,7 +9,7 @@ inline constexpr int kApplicationId = 0x62696d6f;
 
 /// `PRAGMA user_version`: raised with every change of the tables; older programs refuse newer
 /// files.
-inline constexpr int kSchemaVersion = 4;
+inline constexpr int kSchemaVersion = 5;
 
 /// The tables of version 1; explained column by column in SCHEMA.md.
 inline constexpr const char* kVersion1 = R"sql(
@@ -183,8 +183,21 @@ ALTER TABLE session ADD COLUMN face_full_picture_ns INTEGER;
 ALTER TABLE session ADD COLUMN face_renderer TEXT;
 )sql";
 
+/// From version 4 to 5: what the synthetic face looked like.
+inline constexpr const char* kVersion5 = R"sql(
+ALTER TABLE plan ADD COLUMN face TEXT;
+
+DROP VIEW answers;
+CREATE VIEW answers AS
+  SELECT s.participant, s.session, p.trial, p.phase, p.block, p.condition, p.auditory_talker,
+         p.visual_talker, p.snr_db, p.word, p.phones, t.response, t.timed_out, t.flagged,
+         (t.submitted_ns - t.stimulus_end_ns) / 1e6 AS rt_ms,
+         s.simulated_answers, s.simulated_time, p.visual_word, p.articulation, p.face
+  FROM trial t JOIN plan p USING (session, trial) JOIN session s USING (session);
+)sql";
+
 /// What makes each version of the one before it, from version 1 on.
 inline constexpr std::array<const char*, kSchemaVersion> kSchemaSteps{
-    kVersion1, kVersion2, kVersion3, kVersion4};
+    kVersion1, kVersion2, kVersion3, kVersion4, kVersion5};
 
 }  // namespace bimodal::runner

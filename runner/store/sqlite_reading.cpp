@@ -95,6 +95,7 @@ StoredTrial trial_from(const Statement& row, Detail detail) {
   plan.noise_seed = unsigned_from(row.text(10));
   plan.visual_word = optional_text(row, 21);
   plan.articulation = optional_text(row, 23);
+  plan.face = optional_text(row, 24);
   auto& trial = stored.trial;
   trial.trial = plan.trial;
   trial.stimulus_start = row.duration(11);
@@ -185,6 +186,7 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
   const bool has_recordings = version >= 2;
   const bool has_articulations = version >= 3;
   const bool has_faces = version >= 4;
+  const bool has_looks = version >= 5;
 
   std::vector<StoredSession> sessions;
   std::map<std::int64_t, std::size_t> position;
@@ -216,6 +218,7 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
       " refresh_planned_ns, refresh_shown_ns, " +
           std::string{has_recordings ? "visual_word, refresh_source_frame" : "NULL, NULL"} +
           std::string{has_articulations ? ", articulation" : ", NULL"} +
+          std::string{has_looks ? ", face" : ", NULL"} +
           " FROM trial JOIN plan USING (session, trial) ORDER BY session, trial"};
   while (trial_row.step()) {
     sessions.at(position.at(trial_row.integer(0))).trials.push_back(trial_from(trial_row, detail));

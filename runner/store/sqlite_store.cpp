@@ -144,6 +144,7 @@ class SqliteStore final : public SessionStore {
         .bind(std::to_string(planned.noise_seed))
         .bind(planned.visual_word)
         .bind(planned.articulation)
+        .bind(planned.face)
         .run();
   }
 
@@ -220,7 +221,7 @@ class SqliteStore final : public SessionStore {
                             "NULL, ?, ?, ?, ?, ?, ?, "
                             "?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_plan_{database_,
-                         "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+                         "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_trial_{database_,
                           "INSERT INTO trial VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_recording_{database_,

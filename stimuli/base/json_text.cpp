@@ -197,8 +197,7 @@ std::variant<Json, TextFault> parse_json(std::string_view text, std::size_t most
         "is this the right file?"};
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return TextFault{
-        0, "the file is empty", "begin with a copy of a file that ships with the program"};
+    return TextFault{0, "the file is empty", "write its JSON into it: { ... }"};
   }
   if (auto fault = fault_of_encoding(text)) return *fault;
   if (auto fault = fault_of_shape(text, most_values)) return *fault;

@@ -1,5 +1,8 @@
 // Protocols as a user meets them when something in them is wrong: what is said, and how it ends.
 
+#include <map>
+#include <utility>
+
 #include "runner/store/stored_session.hpp"
 #include "tests/cli/command_line.hpp"
 
@@ -127,6 +130,54 @@ TEST_F(BadInput, LevelThatCheckRecommendsDoesNotClip) {
 TEST_F(BadInput, WordIsShownAsItIsWritten) {
   EXPECT_THAT(check(replaced(kProtocol, "\"fish\"", "\"stra\u00dfe\"")).output,
               HasSubstr("\"stra\u00dfe\" has no pronunciation"));
+}
+
+TEST_F(BadInput, FaceThatCannotBeIsToldWithItsPlaceAndWhatIsNear) {
+  EXPECT_THAT(
+      check(replaced(kProtocol, "\"seed\": 1", R"("seed": 1, "face": {"hide": ["tunge"]})")),
+      ended(ExitCode::InvalidInput,
+            AllOf(HasSubstr("/face/hide/0: the face has no part \"tunge\""),
+                  HasSubstr("did you mean \"tongue\"?"))));
+}
+
+TEST_F(BadInput, MaterialsOfAFaceAreJudgedWithTheirOwnLines) {
+  files_.write("mine.json", "{\n  \"surface\": {\"glos\": 1}\n}\n");
+  const auto found = bimodal({"check", "seen-parts"});
+  EXPECT_THAT(found, ended(ExitCode::Done, HasSubstr("no mistakes found")));
+  const auto faced = replaced(
+      std::string{kProtocol}, "\"seed\": 1", R"("seed": 1, "face": {"material": "mine.json"})");
+  const auto seen =
+      replaced(faced, "\"snr_db\": -4", R"("snr_db": -4, "visual": {"talker": "face"})");
+  EXPECT_THAT(
+      check(seen),
+      ended(ExitCode::InvalidInput,
+            AllOf(HasSubstr("mine.json:2: /surface/glos"), HasSubstr("did you mean \"gloss\"?"))));
+}
+
+TEST_F(BadInput, EmptyProtocolIsToldWhichFileToBeginWith) {
+  const auto found = check(" \n");
+  EXPECT_THAT(found, ended(ExitCode::InvalidInput, HasSubstr("begin with a copy of ")));
+  constexpr std::string_view kBefore = "begin with a copy of ";
+  const auto from = found.output.find(kBefore) + kBefore.size();
+  EXPECT_TRUE(
+      std::filesystem::exists(found.output.substr(from, found.output.find('\n', from) - from)));
+}
+
+TEST_F(BadInput, FaceOfEveryTrialStandsInTheDataFile) {
+  EXPECT_THAT(bimodal({"rehearse", "seen-parts", "--participants", "3", "--data", "x.sqlite"}),
+              ended(ExitCode::Done, HasSubstr("117 trials")));
+  std::map<std::string, std::string> faces;
+  for (const auto& session : runner::read_sessions(path("x.sqlite"))) {
+    for (const auto& stored : session.trials) {
+      const auto& [condition, face] = std::pair{stored.plan.condition, stored.plan.face};
+      ASSERT_TRUE(face);
+      EXPECT_EQ(faces.emplace(condition, *face).first->second, *face);
+    }
+  }
+  EXPECT_EQ(faces.size(), 3U);
+  EXPECT_THAT(faces.at("whole face"), HasSubstr(R"("tongue")"));
+  EXPECT_THAT(faces.at("no tongue"), testing::Not(HasSubstr(R"("tongue")")));
+  EXPECT_THAT(faces.at("lips only"), HasSubstr(R"("shown":["lips"])"));
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST_F(Render, TellsWhatIsWrongWithTracks) {
   EXPECT_THAT(refused("t.csv", "jaw,lip_width\n0,1\n10,1\n"),
               with(HasSubstr("there is no column time_ms or time_s")));
   EXPECT_THAT(refused("t.csv", "time_ms,jow\n0,1\n10,1\n"),
-              with(HasSubstr("none of its columns is a control of the face")));
+              with(HasSubstr("none of its columns is a control of the face; did you mean 'jaw'?")));
   EXPECT_THAT(refused("t.csv", "time_ms,jow,jaw\n0,1,1\n10,1\n"),
               with(AllOf(HasSubstr("did you mean 'jaw'?"), HasSubstr("t.csv:3: 2 fields"))));
   EXPECT_THAT(refused("t.csv", ""), with(HasSubstr("the file is empty")));
@@ -169,7 +169,8 @@ TEST_F(Render, RefusesWhatCannotBeBeforeItDraws) {
   };
   wrong({"stew", "-o", "stew"}, "end the name with .mp4");
   wrong({"stew", "-o", "x.avi"}, ".webm");
-  wrong({"stew", "-o", "nowhere/x.mp4"}, "there is no folder");
+  wrong({"stew", "-o", "x.png", "--at", "1e5"}, "begins at 0 and ends at 790.0 ms");
+  wrong({"stew", "-o", "x.png", "--at", "-1"}, "give an instant between");
   wrong({"stew", "-o", "x%s.png"}, "%04d");
   wrong({"stew", "-o", "x%04d.mp4"}, "numbered frames are written as PNG");
   wrong({"stew", "-o", "x.gif", "--audio"}, "--audio has no effect");
@@ -190,9 +191,20 @@ TEST_F(Render, RefusesWhatCannotBeBeforeItDraws) {
     EXPECT_THAT(bimodal(arguments), ended(ExitCode::Usage, HasSubstr(words)));
   };
   misused({"render", "stew"}, "--output is required");
+  misused({"render", "stew", "-o", "nowhere/x.mp4"}, "there is no folder");
   misused({"render", "--audio", "stew", "-o", "x.mp4"}, "--audio last for the voice");
   misused({"render", "stew", "-o", "x.mp4", "--fps", "nan"}, "30000/1001");
   EXPECT_TRUE(has_only({"t.csv", "long.csv"}));
+}
+
+TEST_F(Render, TakesNoFileOfAnotherKindForAText) {
+  for (const std::string name : {"mine.wav", "MINE.MP4", "mine.png", "text.txt"}) {
+    files_.write(name, "x");
+    EXPECT_THAT(render({name, "-o", "x.mp4"}),
+                ended(ExitCode::InvalidInput,
+                      AllOf(HasSubstr("'" + name + "' is a file or folder, but no score"),
+                            HasSubstr("--audio"))));
+  }
 }
 
 TEST_F(Render, LeavesNothingHalfWrittenWhenItIsInterrupted) {

@@ -69,6 +69,27 @@ TEST_F(Usage, WrongUsageEndsWithTwo) {
   }
 }
 
+TEST_F(Usage, FolderThatIsNotThereIsToldAlikeByEveryVerbThatWritesAFile) {
+  files_.write("protocol.json", kProtocol);
+  files_.write("cat.lab", "0 0.1 k\n");
+  const std::vector<std::vector<std::string>> commands{
+      {"face", "-o", "nowhere/x.png"},
+      {"render", "stew", "-o", "nowhere/x.png"},
+      {"tracks", "stew", "-o", "nowhere/x.csv"},
+      {"measures", "stew", "-o", "nowhere/x.csv"},
+      {"sheets", "segments", "-o", "nowhere/x.png"},
+      {"segments", "show", "UW", "-o", "nowhere/x.svg"},
+      {"labels", "cat.lab", "-o", "nowhere/x.TextGrid"},
+      {"align", "cat.wav", "--text", "cat", "-o", "nowhere/x.TextGrid"},
+      {"stimuli", "mix", "protocol.json", "--trial", "1", "-o", "nowhere/x.wav"},
+      {"stimuli", "strip", "protocol.json", "--word", "cat", "-o", "nowhere/x.png"},
+      {"corpus", "sheet", "anna", "-o", "nowhere/x.png"}};
+  for (const auto& command : commands) {
+    EXPECT_THAT(bimodal(command), ended(ExitCode::Usage, HasSubstr("there is no folder")))
+        << command.front();
+  }
+}
+
 TEST_F(Usage, ParticipantWithoutNumberMustBeGivenOne) {
   EXPECT_THAT(bimodal(unattended({"--participant", "Anna", "--data", "x.sqlite"})),
               ended(ExitCode::InvalidInput, AllOf(HasSubstr("'Anna'"), HasSubstr("--number"))));

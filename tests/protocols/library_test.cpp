@@ -9,6 +9,7 @@
 #include "protocols/design/plan.hpp"
 #include "protocols/reading/read_protocol.hpp"
 #include "stimuli/base/asset.hpp"
+#include "tests/support/face_terms.hpp"
 
 namespace bimodal::protocols {
 namespace {
@@ -29,7 +30,8 @@ TEST(Library, HasNothingToComplainOfButTheMissingCorpus) {
     if (entry.path().extension() != ".json") continue;
     ++protocols;
     const bool needs_corpus = entry.path().filename().string().starts_with("words4");
-    const auto options = needs_corpus ? without_natural_face() : ReadOptions{};
+    auto options = needs_corpus ? without_natural_face() : ReadOptions{};
+    options.face = known_face_terms();
     for (const auto& diagnostic : read_protocol(entry.path(), options).diagnostics) {
       if (!tells_of_a_stand_in(diagnostic)) ADD_FAILURE() << describe(diagnostic);
     }
@@ -119,6 +121,22 @@ TEST(BaWa, DubsNineStepsOntoTwoSyllables) {
     EXPECT_EQ(word.seen->articulation.at(0),
               (Segment{Phone::B, Phone::W, static_cast<int>(i % 9), 8}));
   }
+}
+
+// Without sound, so that nothing but what is seen can make the difference.
+TEST(SeenParts, ShowsTheSameWordsWholeByTheLipsAndWithoutTheTongue) {
+  const auto read =
+      read_protocol(asset("protocols/library/seen-parts.json"), {.face = known_face_terms()});
+  EXPECT_EQ(read.words.words.size() % 3, 0U);
+  const auto& conditions = read.protocol.conditions;
+  ASSERT_EQ(conditions.size(), 3U);
+  for (const auto& condition : conditions) {
+    EXPECT_FALSE(condition.auditory_talker);
+    EXPECT_EQ(condition.timing_talker, conditions.front().timing_talker);
+  }
+  EXPECT_EQ(conditions[0].face, Face{});
+  EXPECT_EQ(conditions[1].face.show, std::vector<std::string>{"lips"});
+  EXPECT_EQ(conditions[2].face.hide, std::vector<std::string>{"tongue"});
 }
 
 }  // namespace

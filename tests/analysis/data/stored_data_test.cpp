@@ -138,6 +138,20 @@ TEST(GatherTrials, WarnsOfWhatMakesNumbersLessThanTheySeem) {
                   HasSubstr("1 answer was cut off by the time limit")));
 }
 
+TEST(GatherTrials, WarnsOfFacesThatWereNotAlike) {
+  auto one = session("P01", {stored_trial(0, "bed", "B EH D", "bed")});
+  auto other = session("P02", {stored_trial(0, "stew", "S T UW", "stew")});
+  one.session.face = runner::FaceDrawingRecord{.quality = "full", .basis = "measured"};
+  other.session.face = runner::FaceDrawingRecord{.quality = "full", .basis = "protocol"};
+  one.trials[0].plan.face = R"({"view":"front"})";
+  EXPECT_THAT(gather_trials(std::vector{file("a", {one, other})}).warnings, IsEmpty());
+  other.session.face->quality = "fast";
+  other.trials[0].plan.face = R"({"view":"side"})";
+  EXPECT_THAT(gather_trials(std::vector{file("a", {one, other})}).warnings,
+              ElementsAre(HasSubstr("\"auditory\" looked in 2 ways"),
+                          HasSubstr("full quality in 1 session and in fast in 1")));
+}
+
 TEST(ReadStoredFiles, RefusesAFileThatIsNotThere) {
   const WrittenFiles folder;
   const std::vector<std::filesystem::path> missing{folder / "none.sqlite"};

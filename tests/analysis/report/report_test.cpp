@@ -115,6 +115,17 @@ TEST(Analyse, NamesTheMethodOfEveryInterval) {
   }
 }
 
+TEST(ReportPage, TellsOfEverySessionHowFinelyTheFaceWasDrawnAndWhy) {
+  auto results = example_results();
+  results.dataset.sessions.at(0).face_quality = "full";
+  results.dataset.sessions[0].face_quality_basis = "measured";
+  const auto page =
+      report_page(results, {}, {.program = "test", .made_utc = "now", .selection = "all"});
+  EXPECT_THAT(page, HasSubstr("<th>Face drawn</th>"));
+  EXPECT_THAT(page, HasSubstr("<td>full (measured)</td>"));
+  EXPECT_THAT(page, HasSubstr("<td>&#8211;</td>"));  // the other session showed none
+}
+
 TEST(ReportPage, IsWholeWithoutAnythingElse) {
   const auto results = example_results();
   const std::vector<Attachment> attachments{{.kind = Attachment::Kind::Picture,

@@ -13,6 +13,7 @@
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/random.hpp"
+#include "tests/support/face_terms.hpp"
 #include "tests/support/written_files.hpp"
 
 namespace bimodal::protocols {
@@ -30,11 +31,18 @@ class MutatedProtocol : public ::testing::Test {
     good_["words"] = {"cat", "dog", "fish"};
     good_["practice"]["words"] = {"dog"};
     good_["conditions"][3]["visual"]["otherwise"] = "face";
+    good_["face"] = {{"view", "side"},
+                     {"show", {"lips", "teeth", "tongue"}},
+                     {"transparency", 0.5},
+                     {"expression", {{"smile", 0.5}}},
+                     {"controls", {{"gaze_x", 3}}}};
+    good_["conditions"][1]["visual"]["face"] = {{"hide", {"tongue"}}, {"points", "lips"}};
   }
 
   /// Reads, and checks what must hold for every text.
   ReadProtocol judge(const std::string& text) const {
-    auto read = read_protocol_text(text, files_.folder() / "x.json", {.dictionary = dictionary_});
+    auto read = read_protocol_text(
+        text, files_.folder() / "x.json", {.dictionary = dictionary_, .face = known_face_terms()});
     const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
     for (const auto& diagnostic : read.diagnostics) {
       EXPECT_LE(diagnostic.line, lines);

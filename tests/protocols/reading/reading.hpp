@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "protocols/reading/read_protocol.hpp"
+#include "tests/support/face_terms.hpp"
 #include "tests/support/written_files.hpp"
 
 namespace bimodal::protocols {
@@ -29,8 +30,9 @@ inline constexpr std::string_view kGood = R"({
 class Reading : public ::testing::Test {
  protected:
   ReadProtocol read(std::string text) const {
-    return read_protocol_text(
-        std::move(text), files_.folder() / "test.json", {.dictionary = dictionary_});
+    return read_protocol_text(std::move(text),
+                              files_.folder() / "test.json",
+                              {.dictionary = dictionary_, .face = known_face_terms()});
   }
 
   /// All messages of the good protocol with one part of its text replaced.

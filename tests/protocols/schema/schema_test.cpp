@@ -18,6 +18,7 @@
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/random.hpp"
+#include "tests/support/face_terms.hpp"
 #include "tests/support/written_files.hpp"
 
 namespace bimodal::protocols {
@@ -76,8 +77,9 @@ class Schema : public ::testing::Test {
 
   std::string complaints(const Json& protocol) const {
     std::string errors;
-    const auto read = read_protocol_text(
-        protocol.dump(2), files_.folder() / "x.json", {.dictionary = dictionary_});
+    const auto read = read_protocol_text(protocol.dump(2),
+                                         files_.folder() / "x.json",
+                                         {.dictionary = dictionary_, .face = known_face_terms()});
     for (const auto& diagnostic : read.diagnostics) {
       if (diagnostic.severity == Severity::Error) errors += describe(diagnostic) + "\n";
     }

@@ -262,6 +262,15 @@ TEST(FilmKey, DiffersIfAnythingDiffers) {
       [](auto& it) { it.look.frame_rate = Hertz{25}; },
       [](auto& it) { it.look.blur_px = 1; },
       [](auto& it) { it.look.background = 1; },
+      [](auto& it) { it.look.face.view = "side"; },
+      [](auto& it) { it.look.face.material = "clay"; },
+      [](auto& it) { it.look.face.show = {"lips"}; },
+      [](auto& it) { it.look.face.hide = {"tongue"}; },
+      [](auto& it) { it.look.face.transparency = 0.5; },
+      [](auto& it) { it.look.face.points = "lips"; },
+      [](auto& it) { it.look.face.expression["smile"] = 0.5; },
+      [](auto& it) { it.look.face.expression["smile"] = 0.50001; },
+      [](auto& it) { it.look.face.controls["gaze_x"] = 0.5; },
       [](auto& it) { it.quality = synth::Quality::Full; },
       [](auto& it) { it.layout.recording = 191ms; },
       [](auto& it) { it.layout.lead = 501ms; },
@@ -304,6 +313,35 @@ TEST_F(FilmCaches, LetAStudioShowWhatAnotherHasDrawn) {
   fs::resize_file(file, fs::file_size(file) / 2);
   EXPECT_TRUE(equal(made(FilmCache{folder()}), drawn));  // drawn anew, and kept anew
   EXPECT_EQ(kept(), 1U);
+}
+
+TEST_F(FilmCaches, KeepFacesThatLookDifferentApart) {
+  protocols::Window window;
+  window.face_height = 72;
+  const std::map<std::string, Corpus> no_corpora;
+  Enactment enactment;
+  enactment.length = 200ms;
+  enactment.articulation = {{.segment = Phone::AA, .start = 0ms, .duration = 200ms}};
+  const StimulusLayout layout{.recording = 200ms};
+  FilmStudio studio{window, no_corpora, synth::Quality::Fast, FilmCache{folder()}};
+  const auto made = [&](const std::string& name, const protocols::Face& face) {
+    protocols::Condition condition{.name = name, .visual_talker = "face", .face = face};
+    return studio.film(condition, enactment, layout, Hertz{10}, kNoRest);
+  };
+  const auto whole = made("whole", {});
+  EXPECT_TRUE(equal(made("also whole", {}), whole));
+  ASSERT_EQ(kept(), 1U);
+  const std::vector<protocols::Face> others{{.view = "mouth"},
+                                            {.material = "clay"},
+                                            {.hide = {"tongue"}},
+                                            {.transparency = 0.6},
+                                            {.points = "sparse"},
+                                            {.expression = {{"smile", 1.0}}},
+                                            {.controls = {{"head_yaw", 20.0}}}};
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    EXPECT_FALSE(equal(made(std::to_string(i), others[i]), whole)) << i;
+    EXPECT_EQ(kept(), i + 2);
+  }
 }
 
 }  // namespace

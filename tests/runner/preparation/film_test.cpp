@@ -79,8 +79,7 @@ TEST(Look, EnlargesToItsHeight) {
 }
 
 TEST(Look, OfAConditionComesFromItsOwnKeysThenTheWindow) {
-  protocols::Condition condition;
-  condition.visual_talker = "face";
+  protocols::Condition condition{.visual_talker = "face"};
   protocols::Window window;
   window.face_height = 600;
   window.background = 0x102030;

@@ -152,6 +152,7 @@ TEST_F(SqliteStoreTest, ReadsBackWhichRecordingWasShownAndWhichOfItsFrames) {
     auto dubbed = plan();
     dubbed[0].visual_word = "do";
     dubbed[0].articulation = "D~G:1/4 UW";
+    dubbed[0].face = R"({"view":"side"})";
     store->add(store->begin(with_corpus, dubbed), trial(0));
   }
   const auto sessions = read_sessions(file_, Detail::Everything);
@@ -159,6 +160,7 @@ TEST_F(SqliteStoreTest, ReadsBackWhichRecordingWasShownAndWhichOfItsFrames) {
   const auto& stored = sessions[0].trials[0];
   EXPECT_EQ(stored.plan.visual_word, "do");
   EXPECT_EQ(stored.plan.articulation, "D~G:1/4 UW");
+  EXPECT_EQ(stored.plan.face, R"({"view":"side"})");
   EXPECT_EQ(stored.trial.refreshes.source_frame, (std::vector<std::int64_t>{31, -1}));
   ASSERT_EQ(stored.trial.recordings.size(), 1U);
   EXPECT_EQ(stored.trial.recordings[0].item, "stew-2");
@@ -191,6 +193,7 @@ TEST_F(SqliteStoreTest, ReadsAFileOfTheFirstVersion) {
   EXPECT_EQ(sessions[0].trials.at(0).trial.response.text, "stew");
   EXPECT_EQ(sessions[0].trials[0].plan.visual_word, std::nullopt);
   EXPECT_EQ(sessions[0].trials[0].plan.articulation, std::nullopt);
+  EXPECT_EQ(sessions[0].trials[0].plan.face, std::nullopt);
   EXPECT_TRUE(sessions[0].session.cast.empty());
   EXPECT_FALSE(sessions[0].session.face);
 }

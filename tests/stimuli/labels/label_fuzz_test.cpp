@@ -1,13 +1,11 @@
 // Damaged files become labels or an error with the file's name, never anything else.
 
-#include <array>
-#include <random>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "stimuli/labels/label_file.hpp"
 #include "tests/stimuli/labels/label_cases.hpp"
+#include "tests/support/damage.hpp"
 
 namespace bimodal {
 namespace {
@@ -15,48 +13,6 @@ namespace {
 using ::testing::StartsWith;
 
 constexpr int kMutations = 20'000;
-
-/// Where bytes are flipped, lost, repeated or brought together.
-class Damage {
- public:
-  explicit Damage(std::uint32_t seed) : random_{seed} {}
-
-  std::string operator()(std::string bytes) {
-    const auto times = 1 + below(4);
-    for (std::size_t i = 0; i < times && !bytes.empty(); ++i) once(bytes);
-    return bytes;
-  }
-
- private:
-  std::size_t below(std::size_t bound) { return random_() % bound; }
-
-  void once(std::string& bytes) {
-    static constexpr std::string_view kSpecial = "\"'\\!<>#-+.,;eE09 \n\r\t\0\xFF\xFE\xD8";
-    const auto at = below(bytes.size());
-    switch (below(6)) {
-      case 0:
-        bytes[at] = static_cast<char>(below(256));
-        break;
-      case 1:
-        bytes[at] = kSpecial[below(kSpecial.size())];
-        break;
-      case 2:
-        bytes.resize(at);
-        break;
-      case 3:
-        bytes.erase(at, 1 + below(8));
-        break;
-      case 4:
-        bytes.insert(below(bytes.size()), bytes.substr(at, 1 + below(40)));
-        break;
-      default:
-        bytes.insert(at, std::to_string(random_()));
-        break;
-    }
-  }
-
-  std::mt19937 random_;
-};
 
 void damage_and_read(const std::string& valid, const std::string& name, std::uint32_t seed) {
   const auto whole = parse_labels(valid, name);
