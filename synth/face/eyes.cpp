@@ -1,6 +1,7 @@
 #include "synth/face/eyes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -57,9 +58,9 @@ std::vector<std::uint32_t> front_triangles(const Sphere& unit) {
 /// Radius of the ball at an angle from the gaze. The iris stands before the white, wherever it
 /// looks; what lies round it dives beneath the white, whose normals and colour are alike there.
 float ball_radius(float angle_deg) {
-  constexpr float kIrisBefore = 0.14F;
-  constexpr float kRestBehind = 0.4F;
-  const float dived = std::clamp((angle_deg - 30.0F) / 10.0F, 0.0F, 1.0F);
+  constexpr float kIrisBefore = 0.2F;
+  constexpr float kRestBehind = 1.0F;
+  const float dived = std::clamp((angle_deg - 29.0F) / 10.0F, 0.0F, 1.0F);
   return static_cast<float>(kEyeRadius) + std::lerp(kIrisBefore, -kRestBehind, dived);
 }
 
@@ -74,15 +75,15 @@ RigidPart ball(const Sphere& unit, bool left) {
   return part;
 }
 
-/// A shell 0.26 mm before the white, 0.81 mm more at the pole.
+/// A shell 0.32 mm before the white, 0.75 mm more at the pole.
 RigidPart cornea(const Sphere& unit, bool left) {
   RigidPart part{.carrier = left ? Carrier::LeftEye : Carrier::RightEye,
                  .description = unmasked(Material::Cornea, front_triangles(unit), unit.points),
                  .at_rest = {}};
   for (const auto& point : unit.points) {
     const float angle = degrees_from_gaze(point) / 33.0F;
-    const float bulge = 0.81F * std::max(0.0F, 1.0F - angle * angle);
-    part.at_rest.positions.push_back(point * (static_cast<float>(kEyeRadius) + 0.26F + bulge) +
+    const float bulge = 0.75F * std::max(0.0F, 1.0F - angle * angle);
+    part.at_rest.positions.push_back(point * (static_cast<float>(kEyeRadius) + 0.32F + bulge) +
                                      glm::vec3{centre(left)});
   }
   quad_normals(part.at_rest.positions, unit.quads, part.at_rest.normals);
@@ -93,7 +94,7 @@ RigidPart cornea(const Sphere& unit, bool left) {
 /// little larger than their opening. Millimetres from the centre; x from nose to temple.
 namespace white {
 
-constexpr int kColumns = 26;
+constexpr int kColumns = 26;  // even, as are the rows
 constexpr int kRows = 10;
 constexpr double kInner = -16.6;
 constexpr double kOuter = 15.0;
@@ -126,12 +127,38 @@ glm::dvec3 point(double share, double across) {
   const double along = std::pow(share, 1.3);
   const double x = std::lerp(kInner, kOuter, along);
   const double middle = std::lerp(-1.8, 1.1, along);
-  const double half = 2.4 + 7.0 * std::pow(std::sin(glm::pi<double>() * along), 0.8);
+  const double half = 2.2 + 4.9 * std::pow(std::sin(glm::pi<double>() * along), 0.8);
   const double y = middle + half * across;
   return {x, y, height(x, y)};
 }
 
 }  // namespace white
+
+/// Two by two fields at a time round their common corner, as subdivision leaves them, so that they
+/// may be drawn coarse.
+std::vector<std::uint32_t> white_triangles(bool left) {
+  constexpr std::array<std::array<int, 2>, 8> kOutline{
+      {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
+  std::vector<std::uint32_t> triangles;
+  for (int column = 0; column < white::kColumns; column += 2) {
+    for (int row = 0; row < white::kRows; row += 2) {
+      const auto vertex = [&](int right, int up) {
+        return static_cast<std::uint32_t>((column + right) * (white::kRows + 1) + row + up);
+      };
+      const auto outline = [&](std::size_t place) {
+        const auto [right, up] = kOutline.at((left ? place : 8 - place) % 8);
+        return vertex(right, up);
+      };
+      const auto middle = vertex(1, 1);
+      for (const std::size_t corner : {0U, 2U, 4U, 6U}) {
+        const auto a = outline(corner);
+        triangles.insert(triangles.end(),
+                         {a, outline(corner + 1), middle, a, middle, outline((corner + 7) % 8)});
+      }
+    }
+  }
+  return triangles;
+}
 
 RigidPart white_part(bool left) {
   const float side = left ? 1.0F : -1.0F;
@@ -146,18 +173,8 @@ RigidPart white_part(bool left) {
       at_rest.normals.push_back(to_side * white::normal(at.x, at.y));
     }
   }
-  std::vector<std::uint32_t> triangles;
-  for (std::uint32_t column = 0; column < white::kColumns; ++column) {
-    for (std::uint32_t row = 0; row < white::kRows; ++row) {
-      const std::uint32_t a = column * (white::kRows + 1) + row;
-      const std::uint32_t d = a + white::kRows + 1;
-      const std::uint32_t b = left ? d : a + 1;
-      const std::uint32_t e = left ? a + 1 : d;
-      triangles.insert(triangles.end(), {a, b, d + 1, a, d + 1, e});
-    }
-  }
   return {.carrier = Carrier::Head,
-          .description = unmasked(Material::Eye, std::move(triangles), std::move(on_white)),
+          .description = unmasked(Material::Eye, white_triangles(left), std::move(on_white)),
           .at_rest = std::move(at_rest)};
 }
 

@@ -28,7 +28,7 @@ TEST(Eyes, AreBallWhiteAndCorneaOfWhichTheWhiteAloneDoesNotTurn) {
 }
 
 TEST(Eyes, ShowTheIrisBeforeTheWhiteAndHideTheRestOfTheBallBehindIt) {
-  constexpr double kIrisDeg = 29.5;
+  constexpr double kIrisDeg = 29.1;
   const auto ball = left_eye()[0];
   for (const auto& point : ball.at_rest.positions) {
     const auto out = glm::dvec3{point} - kLeftEyeCentre;
