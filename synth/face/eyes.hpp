@@ -7,13 +7,13 @@
 
 namespace bimodal::synth {
 
-/// The surfaces of one eye, from its cage in the head's OBJ: the ball and a separate cornea bulging
-/// before the iris, which turn with the gaze; a flattened white and the caruncle, which close the
-/// gaps at the corners and do not turn.
+/// The surfaces of one eye, from its cage in the head's OBJ: the ball, whose iris stands out, and a
+/// separate cornea bulging before it turn with the gaze; all white between the lids, with the
+/// caruncle in its inner corner, is one surface that does not turn, so that it has no join at the
+/// corners and keeps its light.
 ///
 /// Their rest positions tell the material where it is on the eye. Ball and cornea: the unit vector
-/// from the centre (gaze +z). White: (nasal to temporal, up, -9). Caruncle: within 0.2 of (0, 0,
-/// -1).
+/// from the centre (gaze +z). White: (nasal to temporal, up) from the centre, in radii, and -9.
 [[nodiscard]] std::vector<RigidPart> eye_parts(const Cage& cage, bool left);
 
 /// Turns an eye by the gaze, degrees; positive to the subject's left and down.

@@ -9,19 +9,6 @@ namespace bimodal::synth {
 
 namespace {
 
-/// Height (z) of a sphere of `radius` about the eye's centre, continued along its tangent from 0.8
-/// radius outward, because the corners of the eye lie off the ball.
-double lid_surface(double x, double y, double radius) {
-  constexpr double kTangentFrom = 0.8;
-  constexpr double kTangentHeight = 0.6;  // sqrt(1 - 0.8^2)
-  const double away = std::hypot(x - kLeftEyeCentre.x, y - kLeftEyeCentre.y);
-  if (away < kTangentFrom * radius) {
-    return kLeftEyeCentre.z + std::sqrt(radius * radius - away * away);
-  }
-  return kLeftEyeCentre.z + radius * kTangentHeight -
-         kTangentFrom / kTangentHeight * (away - kTangentFrom * radius);
-}
-
 /// How far in front of the eyeball a ring slides, mm; farther as the lid closes over the cornea.
 double standing_off(int ring, double closure, bool upper) {
   if (ring == 3) return upper ? 1.3 + 0.8 * closure : 1.7;
@@ -53,8 +40,10 @@ void Lids::close_eye(double closure, std::span<const LidVertex> lids, std::span<
     const bool upper = travel < 0.0;
     point.y += travel * (upper ? closure : std::max(closure, 0.0));
     if (ring < 3 || ring > 5) continue;
+    const double away =
+        std::hypot(std::abs(point.x) - kLeftEyeCentre.x, point.y - kLeftEyeCentre.y);
     const double ball =
-        lid_surface(std::abs(point.x), point.y, kEyeRadius + standing_off(ring, closure, upper));
+        kLeftEyeCentre.z + height_round_eye(away, kEyeRadius + standing_off(ring, closure, upper));
     point.z += onto_ball * (ball - point.z);
   }
 }

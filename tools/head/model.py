@@ -1,5 +1,7 @@
 """Assembly of the head: the mirrored skin cage with its masks, and the separate parts."""
 import numpy as np
+from scipy.interpolate import LinearNDInterpolator
+from scipy.ndimage import map_coordinates
 
 import parts
 import skin
@@ -9,6 +11,16 @@ import tongue
 class Head:
     """skinV, skinF, skinG: vertices, faces and their groups; tag: ring and column of each vertex;
     lip, wet, dark, scalp, headw: masks; parts: name -> (vertices, faces); tooth_height: 0 incisal .. 1 cervical."""
+
+
+def side_of_head(gi, V):
+    """x of the skin's left side at (y, z), near the ear: the surface that subdivision of the skin's grid tends to, a
+    bicubic B-spline."""
+    rows, columns = np.arange(5, 28), np.arange(9, 16)
+    control = np.array([[V[gi[r, c]] for c in columns] for r in rows])
+    at = np.meshgrid(np.linspace(1, len(rows) - 2, 120), np.linspace(1, len(columns) - 2, 120), indexing="ij")
+    x, y, z = (map_coordinates(control[..., i], at, order=3, prefilter=False).ravel() for i in range(3))
+    return LinearNDInterpolator(np.stack([y, z], -1), x)
 
 
 def make():
@@ -54,7 +66,7 @@ def make():
     m.parts["upper_gum"] = parts.gums(1)
     m.parts["lower_gum"] = parts.gums(0)
     m.parts["tongue"] = tongue.rest()
-    vertices, faces = parts.ear()
+    vertices, faces = parts.ear(side_of_head(gi, V))
     m.parts["left_ear"] = (vertices, faces)
     m.parts["right_ear"] = (vertices * [-1, 1, 1], [q[::-1] for q in faces])
     for name in ("lower_teeth", "upper_gum", "tongue"):  # made inside out

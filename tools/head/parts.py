@@ -14,68 +14,46 @@ def grid_faces(n, m, closed_u=False, off=0):
     return f
 
 
-def ear():
-    "polar ear: rings from the attachment through helix, scapha, antihelix, concha. returns left ear"
-    n = 18
-    ph = np.arange(n) / n * 2 * pi  # 0 anterior, 90deg up, 180 back, 270 lobe (down)
-    out_r = PC(
-        np.radians([-90, -60, -30, 0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330, 360, 390, 420, 450]),
-        [27, 19, 13.5, 12, 15, 25, 32, 31, 26, 23, 22.5, 24, 27, 19, 13.5, 12, 15, 25, 32],
-    )(ph)
-    c_, s_ = cos(ph), sin(ph)
-    back = np.clip((1 - c_) / 1.4, 0, 1)  # 1 behind/up, 0 at the front
-    helix = np.clip(
-        np.interp(
-            np.degrees(ph),
-            [0, 15, 40, 90, 200, 250, 265, 300, 330, 345, 360],
-            [0.3, 0.7, 1, 1, 1, 0.55, 0.3, 0.15, 0.2, 0.35, 0.3],
-        ),
-        0,
-        1,
-    )
-    lobe = np.exp(-(((np.degrees(ph) - 272) / 32.0) ** 2))
-    rings = []
+# The ear's profiles. Key: degrees round the ear canal before the ear leans back, 0 forward, 90 up, 180 back, 270 down
+# to the lobe. From outside in, ten rings: mm from the canal, seen from the side, and mm off the skin. In front the
+# first three run out flat on the cheek; behind they are the back of the ear. Then three of the rim (in front the
+# tragus), the furrow within it, the inner fold, the wall and the floor of the hollow.
+EAR = {
+    -50: ([27, 22.5, 19.4, 17, 15, 13, 10.8, 8.6, 6.4, 4.4], [-0.1, 0.05, 0.3, 1.1, 2.6, 3.9, 4, 3.3, 1.6, 1]),
+    -25: ([26, 20.5, 16, 12.6, 10, 8.2, 6.5, 5.8, 5.4, 4.2], [-0.1, 0.05, 0.2, 1.1, 3.6, 5.8, 6.2, 3.2, 1, 0.6]),
+    -10: ([25.5, 20, 15.4, 11.9, 9.2, 7.4, 6.2, 5.6, 5.2, 4.2], [-0.1, 0.05, 0.2, 1.1, 4, 6.6, 7, 3.8, 1, 0.5]),
+    10: ([24, 19, 15.2, 12.3, 10, 8.3, 6.4, 5.6, 5.3, 4.2], [-0.1, 0.05, 0.2, 1, 3, 5, 5.2, 3, 1, 0.6]),
+    30: ([21.5, 18.6, 16.3, 14.5, 12.8, 11, 9.3, 7.6, 6, 4.4], [-0.2, 0.1, 0.5, 1.6, 3, 3.6, 3, 2.5, 1.7, 1]),
+    55: ([25.2, 24.1, 23.4, 22.6, 21, 18.2, 16, 13, 9.5, 6], [-0.8, 0.1, 1.6, 4, 6.2, 6.6, 3.4, 5, 4.2, 2.2]),
+    76: ([24.5, 26.8, 29.2, 31.4, 30.6, 27.4, 24.4, 18, 13, 8], [-2.5, 0, 1, 2, 3.8, 4.6, 1.4, 5.8, 2.8, 1.8]),
+    100: ([23.5, 25.8, 28.8, 31.4, 30.4, 27, 24.4, 18.4, 13.4, 8.5], [-2.5, 0.2, 3.8, 7, 9.4, 9.4, 4, 8.4, 3, 1.6]),
+    135: ([20, 22, 25.3, 28.8, 27.8, 24.2, 22, 16.8, 13, 8], [-2.5, 1.2, 8, 13.8, 16.6, 16.2, 9.4, 13.4, 4, 1.8]),
+    180: ([17, 18.5, 21.3, 24.8, 23.8, 20.6, 18.6, 14.4, 11.6, 7], [-2.5, 2, 10, 16.6, 19.4, 19, 12, 15.2, 4.6, 1.8]),
+    225: ([17, 18, 20.5, 23.7, 22.8, 20, 17.9, 13.8, 11, 6.8], [-2.5, 1.8, 7.6, 12.4, 14.8, 14.6, 9.6, 12.8, 4.2, 1.6]),
+    260: ([20.5, 22.5, 24.8, 26.6, 25.6, 22.8, 19.1, 13.4, 9.8, 6], [-1.5, 0.2, 2, 4.8, 7.2, 8, 6.8, 9.6, 3.6, 1.3]),
+    290: ([28.5, 26.6, 25.2, 23.6, 21.6, 19, 15.6, 11.3, 8.4, 5], [-0.3, 0.05, 0.6, 1.8, 3.8, 5.4, 5.5, 7.2, 3, 1]),
+}
+EAR_COLUMNS = [-10, 10, 30, 48, 62, 78, 97, 118, 140, 163, 187, 210, 232, 250, 266, 284, 305, 328]
+EAR_CANAL = (-14.5, -7.0)  # y, z
+EAR_LEAN = 14  # degrees, top back
 
-    def ring(scale, h):
-        rings.append(np.stack([out_r * scale * c_, out_r * scale * s_, h + 0 * ph], -1))
 
-    flare = (
-        -1.5 + 5.5 * back - 3.0 * lobe + 2.2 * np.maximum(0, s_) * np.clip(1.2 - back, 0, 1)
-    )  # stands away from the head at the back
-    ring(0.80, -11 + 0 * ph)
-    ring(0.97, flare * 0.45 - 1)
-    ring(1.0, flare + 0.5)
-    ring(0.955, flare + 3.2 * helix + 0.4)
-    ring(0.86, flare + 2.6 * helix + 0.2)
-    ring(0.79, flare - 3.4 * helix - 0.3 * lobe)
-    ring(0.66, flare - 1.8 * helix + 1.2 * (1 - lobe) * back)
-    ring(0.56, flare - 0.2 + 1.9 * (1 - lobe) * back)
-    ring(0.42, flare * 0.8 - 2.6 * (1 - 0.7 * lobe))
-    ring(0.24, flare * 0.2 - 1.2 + 0 * ph)
-    # tragus
-    tr = np.exp(-(((np.degrees((ph + pi) % (2 * pi) - pi) + 6) / 24.0) ** 2))
-    rings[7][:, 2] += 3.2 * tr
-    rings[8][:, 2] += 3.5 * tr
-    rings[7][:, 0] -= 2.2 * tr
-    rings[8][:, 0] -= 1.2 * tr
-    fr_ = np.exp(-(((np.degrees((ph + pi) % (2 * pi) - pi) + 12) / 34.0) ** 2))
-    for j, q in zip(range(1, 7), (5.5, 6.5, 6.5, 5.5, 4.5, 2.5)):
-        rings[j][:, 2] -= q * fr_
-    V = np.concatenate(rings)
-    f = grid_faces(len(rings), n, True)
-    c = len(V)
-    V = np.vstack([V, [rings[-1].mean(0) + [0, 0, -0.8]]])
-    o = (len(rings) - 1) * n
-    for j in range(n):
-        f.append((o + j, c, o + (j + 1) % n))
-    # ear frame -> head: local x=anterior, y=up, z=outward
-    th = np.radians(14)
-    V = V @ np.array([[cos(th), -sin(th), 0], [sin(th), cos(th), 0], [0, 0, 1]]).T  # lean back: top goes back
-    V = V * [1, 1, 1]
-    ex, ey, ez = np.array([-0.26, 0, 0.965]), np.array([0, 1, 0]), np.array([0.965, 0, 0.26])
-    V[:, 2] -= 0.20 * np.maximum(0, -V[:, 1] - 4) - 0.05 * V[:, 1]
-    P = np.array([70.2, -14.5, -7.0]) + V[:, :1] * ex + V[:, 1:2] * ey + V[:, 2:] * ez
-    return P, f
+def ear(skin):
+    """The left ear: rings from where it grows out of the head to the hollow's floor, then the canal.
+    skin(y, z): x of the head's side."""
+    keys = np.array(list(EAR))
+    profile = PC(np.concatenate([keys - 360, keys, keys + 360]), np.array(list(EAR.values()) * 3, float))
+    away, height = np.moveaxis(profile(EAR_COLUMNS), 0, -1)
+    turned = np.radians(np.array(EAR_COLUMNS) + EAR_LEAN)
+    y = EAR_CANAL[0] + away * sin(turned)
+    z = EAR_CANAL[1] + away * cos(turned)
+    vertices = np.stack([skin(y, z) + height, y, z], -1).reshape(-1, 3)
+    count, n = away.shape
+    faces = grid_faces(count, n, True)
+    canal = len(vertices)
+    vertices = np.vstack([vertices, vertices[-n:].mean(0) - [1, 0, 0]])
+    faces += [(canal - n + j, canal, canal - n + (j + 1) % n) for j in range(n)]
+    return vertices, faces
 
 
 def eyeball():

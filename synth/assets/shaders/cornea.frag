@@ -19,6 +19,7 @@ void main() {
   vec3 mirrored = reflect(-to_camera, normal);
   float light = 1.5 * window(mirrored, key_direction, vec2(0.20, 0.24)) +
                 0.28 * window(mirrored, fill_direction, vec2(0.16, 0.30));
+  light *= mix(0.35, 1.0, smoothstep(0.78, 0.88, v_rest.z));   // the white round it mirrors less
   float grazing = 1.0 - clamp(dot(normal, to_camera), 0.0, 1.0);
   float fresnel = 0.03 + 0.5 * pow(grazing, 5.0);
   vec3 mirror = vec3(light) + vec3(0.50, 0.55, 0.60) * fresnel * 0.5;

@@ -1,23 +1,24 @@
 // The eyeball by angle from the gaze: pupil, iris with its fibres and dark border, sclera. The
-// white that fills the corners of the lids and the caruncle are marked by their rest position.
+// white that does not turn, with the caruncle, is marked by its rest position.
+
+uniform mat3 head_axes;   // columns: the head's left, up and forward in the world
 
 const float kPupil = 12.5;   // degrees from the gaze
 const float kIris = 29.5;
 
-const float kCornerFiller = -5.0;   // rest z of the white behind the lids' corners
-const float kCaruncle = -0.5;
+const float kStill = -5.0;   // rest z of the white that does not turn
 
-vec3 sclera(vec3 rest, vec3 direction, float angle) {
-  vec3 pink = linear(kEyeFlesh);
-  vec3 white = linear(kEyeWhite);
-  if (rest.z < kCornerFiller) {
-    white = mix(linear(kEyeCorners), pink, smoothstep(0.55, 0.92, -rest.x));
-  } else if (rest.z < kCaruncle) {
-    white = pink;
-  }
-  float veins = 0.5 * noise(direction * vec3(14.0, 14.0, 6.0)) +
-                0.25 * noise(direction * vec3(28.0, 28.0, 12.0));
-  return mix(white, linear(kEyeVeins), kTexture * 0.5 * smoothstep(25.0, 75.0, angle) * veins);
+// 1 on the caruncle; `at`: from nose to temple and up, in radii of the eyeball.
+float flesh(vec2 at) {
+  return smoothstep(0.87, 0.98, -at.x - 0.2 * abs(at.y + 0.1));
+}
+
+vec3 still_white(vec2 at) {
+  float vessels = 0.5 * noise(at * vec2(9.0, 22.0), 5) + 0.5 * noise(at * vec2(19.0, 40.0), 6);
+  float corner = smoothstep(0.50, 1.05, abs(at.x));
+  vec3 white = mix(linear(kEyeWhite), linear(kEyeCorners), corner);
+  white = mix(white, linear(kEyeVeins), kTexture * corner * (0.12 + 0.35 * vessels));
+  return mix(white, 1.25 * linear(kEyeFlesh), flesh(at));
 }
 
 vec3 iris(vec3 direction, float angle) {
@@ -31,12 +32,18 @@ vec3 iris(vec3 direction, float angle) {
   return ring * (kTexture * (0.75 + 0.6 * clamp(0.2 - 1.2 * direction.y, 0.0, 1.0)) + (1.0 - kTexture));
 }
 
-void main() {
-  vec3 direction = normalize(v_rest);
+vec3 turning_ball(vec3 direction) {
   float angle = degrees(acos(clamp(direction.z, -1.0, 1.0)));
-  vec3 albedo = mix(iris(direction, angle), sclera(v_rest, direction, angle),
+  vec3 albedo = mix(iris(direction, angle), linear(kEyeWhite),
                     smoothstep(kIris - 1.3, kIris + 1.3, angle));
-  albedo = mix(linear(kPupilColour), albedo, smoothstep(kPupil - 1.0, kPupil + 1.0, angle));
-  albedo *= 1.0 - 0.45 * smoothstep(0.10, 0.40, direction.y);   // shadow of the upper lid
-  colour = vec4(lit(albedo, surface_normal(), vec2(0.0), 16.0), 1.0);
+  return mix(linear(kPupilColour), albedo, smoothstep(kPupil - 1.0, kPupil + 1.0, angle));
+}
+
+void main() {
+  vec3 normal = surface_normal();
+  bool still = v_rest.z < kStill;
+  vec3 albedo = still ? still_white(v_rest.xy) : turning_ball(normalize(v_rest));
+  vec2 gloss = still ? vec2(0.05, 0.10) * flesh(v_rest.xy) : vec2(0.0);
+  albedo *= 1.0 - 0.45 * smoothstep(0.10, 0.40, dot(normal, head_axes[1]));   // shadow of the upper lid
+  colour = vec4(lit(albedo, normal, gloss, 26.0), 1.0);
 }

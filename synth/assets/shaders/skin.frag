@@ -31,13 +31,13 @@ void brow(inout vec3 albedo, inout vec2 gloss) {
   float above = v_brow.y;
   int side = v_rest.x > 0.0 ? 1 : 9;
   float combed = along * kLength - above * (0.25 + 1.6 * along);
-  float hairs = 0.6 * noise(vec2(combed * 3.2, above * 0.22 + 7.0), side) +
-                0.5 * noise(vec2(combed * 6.3, above * 0.35), side + 2);
+  float hairs = 0.5 * noise(vec2(combed * 4.2, above * 0.30 + 7.0), side) +
+                0.6 * noise(vec2(combed * 8.7, above * 0.45), side + 2);
   float edge = v_brow.z * (0.75 + 0.6 * noise(vec2(combed * 2.6, 2.0), side + 4));
-  float density = 1.0 - smoothstep(0.35 * edge, 1.15 * edge, abs(above));
+  float density = 1.0 - smoothstep(0.20 * edge, 1.20 * edge, abs(above));
   density *= smoothstep(0.0, 0.12, along + 0.06 * (hairs - 0.4)) *
              (1.0 - 0.55 * smoothstep(0.85, 1.0, along)) * (1.0 - smoothstep(1.0, 1.04, along));
-  float cover = clamp(density * (0.42 + 1.2 * smoothstep(0.25, 0.72, hairs)), 0.0, 1.0);
+  float cover = min(density * (0.66 + 0.50 * smoothstep(0.20, 0.85, hairs)), 1.0);
 #ifdef ALONE
   if (cover < 0.3) discard;
 #endif
