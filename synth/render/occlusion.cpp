@@ -20,8 +20,22 @@ constexpr float kHalfExtent = 185.0F;  // mm seen from the centre
 constexpr glm::vec3 kCentre{0.0F, -20.0F, 10.0F};
 constexpr float kGoldenAngle = 2.39996323F;  // radians; spreads points evenly round a sphere
 
-glm::vec3 lifted(const SurfaceGeometry& geometry, std::size_t vertex, float lift) {
-  return geometry.positions[vertex] + lift * geometry.normals[vertex];
+struct Place {
+  glm::vec3 position;
+  glm::vec3 normal;
+
+  [[nodiscard]] glm::vec3 lifted(float lift) const { return position + lift * normal; }
+};
+
+/// Of every drawn vertex.
+std::vector<Place> places_of(const DrawnMesh& drawn, const PosedHead& resting) {
+  std::vector<Place> places;
+  places.reserve(drawn.vertices.size());
+  for (const auto& [surface, own] : drawn.vertices) {
+    const SurfaceGeometry& geometry = resting.surfaces[surface];
+    places.push_back({geometry.positions[own], geometry.normals[own]});
+  }
+  return places;
 }
 
 /// The head's nearest depth, seen from infinitely far in one direction.
@@ -114,16 +128,9 @@ class DepthMaps {
   glm::mat4 clip_from_world_{1.0F};
 };
 
-/// Calls visit(vertex number through all surfaces, surface geometry, vertex number in it).
-template <typename Visit>
-void for_each_vertex(const PosedHead& head, Visit visit) {
-  std::size_t through_all = 0;
-  for (const SurfaceGeometry& surface : head.surfaces) {
-    for (std::size_t i = 0; i < surface.positions.size(); ++i) visit(through_all++, surface, i);
-  }
-}
-
-void bake_sky(const PosedHead& resting, const MeshBuffers& mesh, std::vector<Exposure>& baked) {
+void bake_sky(std::span<const Place> places,
+              const MeshBuffers& mesh,
+              std::vector<Exposure>& baked) {
   constexpr float kLift = 0.6F;  // mm off the surface, against shadowing itself
   constexpr float kBias = 1.6F;  // mm
   std::vector<float> arriving(baked.size());
@@ -137,12 +144,12 @@ void bake_sky(const PosedHead& resting, const MeshBuffers& mesh, std::vector<Exp
     const glm::vec3 towards{radius * std::cos(round), height, radius * std::sin(round)};
     const float brightness = std::max(0.04F, 0.42F + 0.58F * height);
     maps.look_from(towards);
-    for_each_vertex(resting, [&](std::size_t v, const SurfaceGeometry& surface, std::size_t own) {
-      const float cosine = glm::dot(surface.normals[own], towards);
-      if (cosine <= 0.0F) return;
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      const float cosine = glm::dot(places[v].normal, towards);
+      if (cosine <= 0.0F) continue;
       possible[v] += cosine * brightness;
-      arriving[v] += cosine * brightness * maps.visible(lifted(surface, own, kLift), kBias);
-    });
+      arriving[v] += cosine * brightness * maps.visible(places[v].lifted(kLift), kBias);
+    }
   }
   for (std::size_t v = 0; v < baked.size(); ++v) {
     baked[v].sky = possible[v] > 0.0F ? arriving[v] / possible[v] : 0.0F;
@@ -151,7 +158,7 @@ void bake_sky(const PosedHead& resting, const MeshBuffers& mesh, std::vector<Exp
 
 /// The part of a light of some size that arrives: a mean over 5 x 5 points round the vertex, in the
 /// plane across the light.
-void bake_light(const PosedHead& resting,
+void bake_light(std::span<const Place> places,
                 DepthMaps& maps,
                 glm::vec3 towards,
                 float spread_mm,
@@ -162,17 +169,17 @@ void bake_light(const PosedHead& resting,
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3{0.0F, 1.0F, 0.0F}, towards));
   const glm::vec3 up = glm::cross(towards, right);
   maps.look_from(towards);
-  for_each_vertex(resting, [&](std::size_t v, const SurfaceGeometry& surface, std::size_t own) {
+  for (std::size_t v = 0; v < places.size(); ++v) {
     float sum = 0.0F;
     for (int row = -2; row <= 2; ++row) {
       for (int column = -2; column <= 2; ++column) {
         const glm::vec3 off =
             0.5F * spread_mm * (static_cast<float>(column) * right + static_cast<float>(row) * up);
-        sum += maps.visible(lifted(surface, own, kLift) + off, kBias);
+        sum += maps.visible(places[v].lifted(kLift) + off, kBias);
       }
     }
     baked[v].*arriving = sum / 25.0F;
-  });
+  }
 }
 
 /// Each vertex moves half the way to the mean of its neighbours, some times.
@@ -208,16 +215,17 @@ void spread_shadows(std::span<const std::uint32_t> triangles, std::vector<Exposu
 
 std::vector<Exposure> exposure_at_rest(const PosedHead& resting,
                                        const MeshBuffers& mesh,
-                                       std::span<const PartTriangles, kHeadPartCount> drawn,
+                                       const DrawnMesh& drawn,
                                        const Materials& materials) {
-  std::vector<Exposure> baked(mesh.vertex_count());
-  bake_sky(resting, mesh, baked);
+  const std::vector<Place> places = places_of(drawn, resting);
+  std::vector<Exposure> baked(places.size());
+  bake_sky(places, mesh, baked);
   DepthMaps maps{mesh, kLightMapSize};
-  bake_light(resting, maps, materials.key_direction, 1.6F, &Exposure::key, baked);
-  bake_light(resting, maps, materials.fill_direction, 2.5F, &Exposure::fill, baked);
+  bake_light(places, maps, materials.key_direction, 1.6F, &Exposure::key, baked);
+  bake_light(places, maps, materials.fill_direction, 2.5F, &Exposure::fill, baked);
   std::vector<std::uint32_t> triangles;
   for (const HeadPart part : {HeadPart::Skin, HeadPart::Ear}) {
-    const PartTriangles& own = drawn[static_cast<std::size_t>(part)];
+    const PartTriangles& own = drawn.parts.at(static_cast<std::size_t>(part));
     triangles.insert(triangles.end(), own.near.begin(), own.near.end());
     triangles.insert(triangles.end(), own.far.begin(), own.far.end());
   }
