@@ -13,6 +13,8 @@
 namespace bimodal::synth {
 namespace {
 
+constexpr glm::vec3 kFromAhead{0.0F, 0.0F, 1.0F};
+
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
 
 std::map<DirectedEdge, int> edges_of(const std::vector<std::uint32_t>& triangles) {
@@ -46,8 +48,8 @@ TEST(Economy, DrawsTheWholeHeadWithLessThanHalfOfItsTrianglesAndWithoutAGap) {
   std::size_t after = 0;
   for (std::size_t s = 0; s < head.surfaces().size(); ++s) {
     const SurfaceDescription& surface = head.surfaces()[s];
-    const auto drawn =
-        triangles_worth_drawing(surface, paint(surface, Materials{}), resting.surfaces[s].normals);
+    const auto drawn = triangles_worth_drawing(
+        surface, paint(surface, Materials{}), resting.surfaces[s].normals, kFromAhead);
     before += surface.triangles.size();
     after += drawn.size();
 
@@ -71,7 +73,7 @@ TEST(Economy, KeepsTrianglesThatSubdivisionDidNotMake) {
   surface.triangles = {0, 1, 2, 2, 1, 3};
   surface.rest_positions.resize(4);
   const std::vector<glm::vec3> normals(4, glm::vec3{0.0F, 0.0F, 1.0F});
-  EXPECT_EQ(triangles_worth_drawing(surface, paint(surface, Materials{}), normals),
+  EXPECT_EQ(triangles_worth_drawing(surface, paint(surface, Materials{}), normals, kFromAhead),
             surface.triangles);
 }
 
