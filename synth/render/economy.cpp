@@ -22,7 +22,7 @@ struct Allowance {
   float block_deg = 0.0F;    ///< in blocks, which all face the camera
 };
 
-Allowance allowance(const SurfaceDescription& surface) {
+Allowance fast_allowance(const SurfaceDescription& surface) {
   switch (surface.material) {
     case Material::Skin:
       return is_ear(surface) ? Allowance{30.0F, 40.0F, 20.0F} : Allowance{21.0F, 30.0F, 18.0F};
@@ -39,6 +39,13 @@ Allowance allowance(const SurfaceDescription& surface) {
       break;
   }
   return {};
+}
+
+/// In full quality half of the angles, and no blocks.
+Allowance allowance(const SurfaceDescription& surface, Quality quality) {
+  const Allowance fast = fast_allowance(surface);
+  if (quality == Quality::Fast) return fast;
+  return {.outline_deg = 0.5F * fast.outline_deg, .facing_deg = 0.5F * fast.facing_deg};
 }
 
 float cosine(float angle_deg) {
@@ -67,12 +74,13 @@ class Coarsening {
   Coarsening(const SurfaceDescription& surface,
              const std::vector<VertexPaint>& paint,
              std::span<const glm::vec3> normals,
-             const glm::vec3& towards_camera)
+             const glm::vec3& towards_camera,
+             Quality quality)
       : surface_{surface},
         paint_{paint},
         normals_{normals},
         towards_camera_{towards_camera},
-        allowance_{allowance(surface)},
+        allowance_{allowance(surface, quality)},
         is_needed_(normals.size()),
         sides_(normals.size()) {}
 
@@ -237,8 +245,9 @@ class Coarsening {
 std::vector<std::uint32_t> triangles_worth_drawing(const SurfaceDescription& surface,
                                                    const std::vector<VertexPaint>& paint,
                                                    std::span<const glm::vec3> normals,
-                                                   const glm::vec3& towards_camera) {
-  return Coarsening{surface, paint, normals, towards_camera}.run();
+                                                   const glm::vec3& towards_camera,
+                                                   Quality quality) {
+  return Coarsening{surface, paint, normals, towards_camera, quality}.run();
 }
 
 }  // namespace bimodal::synth

@@ -8,6 +8,7 @@
 
 #include "synth/face/surface.hpp"
 #include "synth/render/paint.hpp"
+#include "synth/render/quality.hpp"
 
 namespace bimodal::synth {
 
@@ -21,11 +22,13 @@ namespace bimodal::synth {
 /// material, and it has no detail that needs all its vertices, it becomes two triangles, or a fan
 /// where it meets what stays finer: never a gap. So does a block, where it faces the camera as
 /// well: only on the outline would its edges be seen. What is not in such patches stays as it is.
+/// Full quality halves the angles and makes no blocks.
 /// `normals`: at rest, one per vertex; `towards_camera`: unit vector.
 [[nodiscard]] std::vector<std::uint32_t> triangles_worth_drawing(
     const SurfaceDescription& surface,
     const std::vector<VertexPaint>& paint,
     std::span<const glm::vec3> normals,
-    const glm::vec3& towards_camera);
+    const glm::vec3& towards_camera,
+    Quality quality);
 
 }  // namespace bimodal::synth
