@@ -166,6 +166,10 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
   backdrop_.use();
   backdrop_.set("centre_colour", linear(backdrop.centre));
   backdrop_.set("edge_colour", linear(backdrop.edge));
+  if (!points_) {  // which stand before it where no part of the head does
+    target.begin_ground();
+    draw_backdrop();
+  }
   check_for_errors("prepare the head for drawing");
 }
 
@@ -236,14 +240,12 @@ void SurfaceRenderer::Stage::draw_head(const PosedHead& posed, const glm::mat3& 
     points_->draw(posed);
   } else if (appearance_.skin_transparency > 0.0) {
     draw_parts(kMouth);
-    draw_backdrop();
     if (cut_faces_) cut_faces_->draw(posed);
     draw_skin_over_the_rest();
     draw_parts({HeadPart::Eye});  // between the lids only: eyeballs behind skin distract
     draw_clear_parts();
   } else {
     draw_opaque(mouth_is_open);
-    draw_backdrop();
     if (cut_faces_) cut_faces_->draw(posed);
     draw_clear_parts();
   }
