@@ -9,8 +9,8 @@ std::optional<Patch> turned(Patch patch, std::uint32_t third) {
   auto* const found = std::ranges::find(patch.corners, third);
   if (found == patch.corners.end()) return std::nullopt;
   const auto steps = (std::distance(patch.corners.begin(), found) + 2) % 4;
-  std::ranges::rotate(patch.corners, patch.corners.begin() + steps);
-  std::ranges::rotate(patch.middles, patch.middles.begin() + steps);
+  std::rotate(patch.corners.begin(), patch.corners.begin() + steps, patch.corners.end());
+  std::rotate(patch.middles.begin(), patch.middles.begin() + steps, patch.middles.end());
   return patch;
 }
 
