@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "synth/face/eyeball.hpp"
+#include "synth/face/quad_normals.hpp"
 #include "synth/face/stencils.hpp"
 
 namespace bimodal::synth {

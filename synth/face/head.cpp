@@ -1,17 +1,14 @@
 #include "synth/face/head.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "stimuli/base/error.hpp"
 #include "synth/face/eyes.hpp"
-#include "synth/face/field_table.hpp"
+#include "synth/face/head_files.hpp"
 #include "synth/face/head_motion.hpp"
 #include "synth/face/jaw.hpp"
+#include "synth/face/jaw_followers.hpp"
 #include "synth/face/lashes.hpp"
 #include "synth/face/lids.hpp"
 #include "synth/face/linear_fields.hpp"
@@ -20,8 +17,9 @@
 #include "synth/face/lip_tuck.hpp"
 #include "synth/face/lip_volume.hpp"
 #include "synth/face/mouth_loops.hpp"
-#include "synth/face/obj_reader.hpp"
+#include "synth/face/padded.hpp"
 #include "synth/face/palate.hpp"
+#include "synth/face/quad_normals.hpp"
 #include "synth/face/rigid_part.hpp"
 #include "synth/face/stencils.hpp"
 #include "synth/face/teeth_obstacle.hpp"
@@ -33,6 +31,19 @@ namespace bimodal::synth {
 namespace {
 
 constexpr int kSkinLevels = 2;
+constexpr std::size_t kFirstPart = 3;  // of the rigid ones, after skin, tongue and lashes
+
+template <typename Points>
+void pad(const Points& points, PaddedPoints& padded_points) {
+  padded_points.resize(points.size());
+  std::ranges::transform(
+      points, padded_points.begin(), [](const auto& point) { return padded(point); });
+}
+
+void unpad(std::span<const Padded> padded_points, std::vector<glm::vec3>& points) {
+  points.resize(padded_points.size());
+  std::ranges::transform(padded_points, points.begin(), unpadded);
+}
 
 std::vector<double> x_of(std::span<const glm::dvec3> points) {
   std::vector<double> result;
@@ -51,50 +62,6 @@ std::vector<double> on_lower_lip(const FieldTable& table) {
   }
   return lower;
 }
-
-/// The head's files, read whole.
-struct HeadFiles {
-  std::filesystem::path mesh;
-  std::vector<Cage> cages;
-  FieldTable fields;
-  FieldTable teeth;
-
-  explicit HeadFiles(const std::filesystem::path& folder)
-      : mesh{folder / "head.obj"},
-        cages{read_obj(mesh)},
-        fields{folder / "fields.csv"},
-        teeth{folder / "teeth.csv"} {
-    require_rows(fields, folder / "fields.csv", part("skin").vertices.size());
-    require_rows(teeth,
-                 folder / "teeth.csv",
-                 part("upper_teeth").vertices.size() + part("lower_teeth").vertices.size());
-    if (part("tongue").vertices.size() != kTongueVertices) {
-      throw Error{
-          fmt::format("{}: the tongue has {} vertices, not {}; regenerate the file with "
-                      "tools/head",
-                      mesh.string(),
-                      part("tongue").vertices.size(),
-                      kTongueVertices)};
-    }
-  }
-
-  [[nodiscard]] const Cage& part(std::string_view name) const {
-    return synth::part(cages, name, mesh);
-  }
-
- private:
-  static void require_rows(const FieldTable& table,
-                           const std::filesystem::path& file,
-                           std::size_t rows) {
-    if (table.rows() == rows) return;
-    throw Error{
-        fmt::format("{}: {} rows, but head.obj has {} vertices to describe; regenerate both "
-                    "with tools/head",
-                    file.string(),
-                    table.rows(),
-                    rows)};
-  }
-};
 
 RigidPart subdivided(const Cage& cage, Material material, RigidPart::Carrier carrier, int levels) {
   return rigid_part(cage, {cage.vertices.size(), cage.faces, levels}, material, carrier);
@@ -134,7 +101,7 @@ std::vector<RigidPart> rigid_parts(const HeadFiles& files) {
 struct Head::Rig {
   explicit Rig(const HeadFiles& files)
       : rest{files.part("skin").vertices},
-        jaw_weight{files.fields.column("jaw").begin(), files.fields.column("jaw").end()},
+        jaw_followers{files.fields.column("jaw")},
         mouth{files.fields.whole_numbers("mouth_ring"),
               files.fields.whole_numbers("mouth_column"),
               x_of(rest)},
@@ -160,9 +127,7 @@ struct Head::Rig {
                         .lower = skin.apply(on_lower_lip(files.fields)),
                         .special = skin.apply(files.fields.column("dark")),
                         .name = "skin"});
-    std::vector<glm::vec3> rest_tongue;
-    pose_tongue(neutral_pose(), {}, rest_tongue);
-    surfaces.push_back(unmasked(Material::Tongue, tongue.triangles(), std::move(rest_tongue)));
+    surfaces.push_back(unmasked(Material::Tongue, tongue.triangles(), resting_tongue()));
     surfaces.back().name = "tongue";
     surfaces.push_back(lashes.description(rest_skin));
     surfaces.back().name = "lashes";
@@ -185,9 +150,7 @@ struct Head::Rig {
     cage = rest;
     linear.move(pose, cage);
     tuck.roll(value(pose, Control::LowerLipTuck), cage);
-    for (std::size_t i = 0; i < cage.size(); ++i) {
-      if (jaw_weight[i] != 0.0) cage[i] = jaw.move(cage[i], jaw_weight[i]);
-    }
+    jaw_followers.move(jaw, cage);
     tuck.carry(value(pose, Control::LowerLipTuck), mouth, cage);
     bring_lips_together({.closure = value(pose, Control::LipClosure),
                          .compression = value(pose, Control::LipCompression),
@@ -200,9 +163,57 @@ struct Head::Rig {
     lids.close(lid, std::min(1.0, lid + value(pose, Control::RightLidClosure)), cage);
   }
 
-  void pose_tongue(const Pose& pose, const JawMotion& jaw, std::vector<glm::vec3>& drawn) const {
-    tongue.apply(tongue_cage(pose, jaw), drawn);
-    tongue_contact.yield_to(jaw, teeth_offset(pose), drawn);
+  [[nodiscard]] std::vector<glm::vec3> resting_tongue() const {
+    PosedHead posed;
+    posed.surfaces.resize(kFirstPart);
+    pose_tongue(neutral_pose(), {}, posed);
+    return std::move(posed.surfaces[1].positions);
+  }
+
+  /// Skin, lashes, and the lips' measures.
+  void pose_skin(const Pose& pose,
+                 const JawMotion& jaw,
+                 const RigidMotion& head,
+                 PosedHead& posed) const {
+    auto& drawn = posed.surfaces[0];
+    auto& blades = posed.surfaces[2];
+    auto& memory = posed.memory;
+    pose_skin_cage(pose, jaw, posed.skin_cage);
+    pad(posed.skin_cage, memory.skin_cage);
+    skin.apply(memory.skin_cage, memory.skin);
+    unpad(memory.skin, drawn.positions);
+    posed.lips = ruler.measure(mouth, drawn.positions);
+    lashes.place(drawn.positions, blades);
+    if (head != RigidMotion{}) {
+      turn(head, blades);
+      turn_skin(head, head_weight, memory.skin);
+      unpad(memory.skin, drawn.positions);
+    }
+    quad_normals(memory.skin, skin.quads(), memory.skin_normals, drawn.normals);
+  }
+
+  void pose_tongue(const Pose& pose, const JawMotion& jaw, PosedHead& posed) const {
+    auto& drawn = posed.surfaces[1];
+    auto& memory = posed.memory;
+    tongue.apply(tongue_cage(pose, jaw), drawn.positions);
+    tongue_contact.yield_to(jaw, teeth_offset(pose), drawn.positions);
+    pad(drawn.positions, memory.tongue);
+    quad_normals(memory.tongue, tongue.quads(), memory.tongue_normals, drawn.normals);
+  }
+
+  /// Those of which `posed` already has another pose are left where they stay.
+  void move_parts(const Pose& pose,
+                  const JawMotion& jaw,
+                  const RigidMotion& head,
+                  PosedHead& posed) const {
+    auto& memory = posed.memory;
+    memory.motions.resize(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const auto motion = head.after(carried(parts[i].carrier, pose, jaw));
+      if (memory.posed_by.get() == this && memory.motions[i] == motion) continue;
+      parts[i].move(motion, posed.surfaces[i + kFirstPart]);
+      memory.motions[i] = motion;
+    }
   }
 
   [[nodiscard]] static glm::dvec3 teeth_offset(const Pose& pose) {
@@ -231,7 +242,7 @@ struct Head::Rig {
   }
 
   std::vector<glm::dvec3> rest;
-  std::vector<double> jaw_weight;
+  JawFollowers jaw_followers;
   MouthLoops mouth;
   LinearFields linear;
   LipTuck tuck;
@@ -249,7 +260,8 @@ struct Head::Rig {
   std::vector<SurfaceDescription> surfaces;
 };
 
-Head::Head(const std::filesystem::path& folder) : rig_{std::make_unique<Rig>(HeadFiles{folder})} {}
+Head::Head(const std::filesystem::path& folder)
+    : rig_{std::make_shared<const Rig>(HeadFiles{folder})} {}
 
 Head::~Head() = default;
 Head::Head(Head&& other) noexcept = default;
@@ -266,27 +278,12 @@ void Head::pose(const Pose& wanted, PosedHead& posed) const {
   const auto head = head_motion(pose);
 
   posed.surfaces.resize(rig_->surfaces.size());
-  auto& skin = posed.surfaces[0];
-  auto& tongue = posed.surfaces[1];
-  auto& lashes = posed.surfaces[2];
-
-  rig_->pose_skin_cage(pose, jaw, posed.skin_cage);
-  rig_->skin.apply(posed.skin_cage, skin.positions);
-  posed.lips = rig_->ruler.measure(rig_->mouth, skin.positions);
-  rig_->lashes.place(skin.positions, lashes);
-  turn(head, lashes);
-  turn_skin(head, rig_->head_weight, skin.positions);
-  quad_normals(skin.positions, rig_->skin.quads(), skin.normals);
-
-  rig_->pose_tongue(pose, jaw, tongue.positions);
-  quad_normals(tongue.positions, rig_->tongue.quads(), tongue.normals);
-  turn(head, tongue);
-
-  for (std::size_t i = 0; i < rig_->parts.size(); ++i) {
-    const auto& part = rig_->parts[i];
-    part.move(head.after(Rig::carried(part.carrier, pose, jaw)), posed.surfaces[i + 3]);
-  }
+  rig_->pose_skin(pose, jaw, head, posed);
+  rig_->pose_tongue(pose, jaw, posed);
+  if (head != RigidMotion{}) turn(head, posed.surfaces[1]);
+  rig_->move_parts(pose, jaw, head, posed);
   posed.lips.inner_centre = glm::vec3{head.move(glm::dvec3{posed.lips.inner_centre})};
+  if (posed.memory.posed_by != rig_) posed.memory.posed_by = rig_;
 }
 
 }  // namespace bimodal::synth

@@ -28,7 +28,7 @@ class Head {
 
  private:
   struct Rig;
-  std::unique_ptr<Rig> rig_;
+  std::shared_ptr<const Rig> rig_;  // a PosedHead remembers it
 };
 
 }  // namespace bimodal::synth

@@ -12,12 +12,12 @@ RigidMotion head_motion(const Pose& pose) {
 
 void turn_skin(const RigidMotion& head,
                std::span<const float> follow,
-               std::span<glm::vec3> positions) {
+               std::span<Padded> positions) {
   const glm::mat3 rotation{head.rotation};
   const glm::vec3 translation{head.translation};
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    auto& point = positions[i];
-    point += follow[i] * (rotation * point + translation - point);
+    const auto point = unpadded(positions[i]);
+    positions[i] += follow[i] * padded(rotation * point + translation - point);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "synth/face/padded.hpp"
 #include "synth/face/rigid_motion.hpp"
 #include "synth/face/surface.hpp"
 #include "synth/speech/control.hpp"
@@ -14,9 +15,7 @@ namespace bimodal::synth {
 [[nodiscard]] RigidMotion head_motion(const Pose& pose);
 
 /// Turns the drawn skin; `follow` is 1 on the head and falls to 0 down the neck.
-void turn_skin(const RigidMotion& head,
-               std::span<const float> follow,
-               std::span<glm::vec3> positions);
+void turn_skin(const RigidMotion& head, std::span<const float> follow, std::span<Padded> positions);
 
 /// Turns all of a surface.
 void turn(const RigidMotion& head, SurfaceGeometry& surface);

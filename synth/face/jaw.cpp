@@ -21,9 +21,9 @@ glm::dvec3 JawMotion::undo(const glm::dvec3& point) const {
   return kAxis + rotation_about_x(-opening_deg) * (point - translation() - kAxis);
 }
 
-RigidMotion JawMotion::rigid() const {
-  auto motion = rotation_about(kAxis, rotation_about_x(opening_deg));
-  motion.translation += translation();
+RigidMotion JawMotion::rigid(double weight) const {
+  auto motion = rotation_about(kAxis, rotation_about_x(opening_deg * weight));
+  motion.translation += translation() * weight;
   return motion;
 }
 

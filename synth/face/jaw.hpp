@@ -18,8 +18,8 @@ struct JawMotion {
   /// Where a point that moved with weight 1 came from.
   [[nodiscard]] glm::dvec3 undo(const glm::dvec3& point) const;
 
-  /// move() with weight 1.
-  [[nodiscard]] RigidMotion rigid() const;
+  /// move() for many points of one weight.
+  [[nodiscard]] RigidMotion rigid(double weight = 1.0) const;
 
  private:
   [[nodiscard]] glm::dvec3 translation() const;

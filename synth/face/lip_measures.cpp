@@ -103,7 +103,7 @@ LipMeasures LipRuler::measure(const MouthLoops& mouth, std::span<const glm::vec3
     return skin[mouth.vertex(ring, column, side)];
   };
   auto slits = slits_of(mouth, skin);
-  const auto [smallest, largest] = std::ranges::minmax(slits, {}, &Slit::gap);
+  const double smallest_gap = std::ranges::min(slits, {}, &Slit::gap).gap;
   shut_what_is_closed(slits);
   const glm::vec3 corner_moved = corner(mouth, skin) - rest_corner_;
   return {
@@ -120,8 +120,8 @@ LipMeasures LipRuler::measure(const MouthLoops& mouth, std::span<const glm::vec3
       .corner_up_mm = static_cast<double>(corner_moved.y),
       .corner_forward_mm = static_cast<double>(corner_moved.z),
       .chin_drop_mm = static_cast<double>(rest_chin_y_ - skin[chin_].y),
-      .largest_gap_mm = std::max(0.0, largest.gap),
-      .smallest_gap_mm = smallest.gap,
+      .largest_gap_mm = std::ranges::max(slits, {}, &Slit::gap).gap,
+      .smallest_gap_mm = smallest_gap,
       .inner_centre = 0.5F * (at(kContact, kUpper, Left) + at(kContact, kLower, Left)),
   };
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "synth/face/quad_normals.hpp"
 #include "synth/face/smoothing.hpp"
 
 namespace bimodal::synth {
@@ -12,7 +13,7 @@ namespace {
 
 // The midline from back to front: soft palate, vault, alveolar ridge, necks of the incisors.
 constexpr std::array<double, 7> kMidlineZ{30.0, 45.0, 54.0, 62.0, 79.0, 87.0, 89.5};
-constexpr std::array<double, 7> kMidlineY{-70.0, -61.5, -60.2, -60.0, -63.5, -68.2, -70.5};
+constexpr std::array<double, 7> kMidlineY{-70.0, -61.5, -60.2, -60.0, -63.5, -68.2, kPalateLowest};
 
 constexpr std::array<double, 7> kWidthZ{30.0, 50.0, 62.0, 72.0, 80.0, 86.0, 89.5};
 constexpr std::array<double, 7> kHalfWidth{18.0, 18.0, 17.0, 15.5, 13.5, 10.0, 7.0};

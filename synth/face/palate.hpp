@@ -10,6 +10,9 @@ namespace bimodal::synth {
 /// chosen by us: vault 9 to 10 mm above the gum line, as in adults.
 [[nodiscard]] double palate_y(double x, double z);
 
+/// No place of it is lower, mm.
+inline constexpr double kPalateLowest = -70.5;
+
 /// Where its sheet ends: behind, and in front at the necks of the incisors.
 inline constexpr double kPalateBack = 34.0;
 inline constexpr double kPalateFront = 89.0;

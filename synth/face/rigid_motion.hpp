@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
 namespace bimodal::synth {
@@ -18,6 +19,14 @@ struct RigidMotion {
   [[nodiscard]] RigidMotion after(const RigidMotion& first) const {
     return {rotation * first.rotation, move(first.translation)};
   }
+
+  /// Brings back what this moved.
+  [[nodiscard]] RigidMotion inverse() const {
+    const glm::dmat3 back = glm::transpose(rotation);
+    return {back, -(back * translation)};
+  }
+
+  bool operator==(const RigidMotion& other) const = default;
 };
 
 /// Rotations by degrees about the axes, right-handed: about x, +z goes to -y (down); about y, +z

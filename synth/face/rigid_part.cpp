@@ -1,7 +1,10 @@
 #include "synth/face/rigid_part.hpp"
 
-#include <glm/geometric.hpp>
+#include <utility>
+
 #include <glm/mat3x3.hpp>
+
+#include "synth/face/quad_normals.hpp"
 
 namespace bimodal::synth {
 

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "stimuli/base/error.hpp"
 
@@ -179,6 +178,19 @@ Stencils::Stencils(std::size_t cage_size, std::span<const Face> faces, int level
     first_.push_back(static_cast<std::uint32_t>(column_.size()));
   }
   for (const auto& face : fine_faces) quads_.push_back({face[0], face[1], face[2], face[3]});
+  sort_terms();
+}
+
+void Stencils::sort_terms() {
+  by_length_.resize(fine_size());
+  std::iota(by_length_.begin(), by_length_.end(), 0U);
+  std::ranges::stable_sort(
+      by_length_, {}, [this](auto row) { return first_[row + 1] - first_[row]; });
+  for (const auto row : by_length_) {
+    for (auto i = first_[row]; i < first_[row + 1]; ++i) {
+      terms_.push_back({.column = column_[i], .weight = static_cast<float>(weight_[i])});
+    }
+  }
 }
 
 glm::dvec3 Stencils::point(std::span<const glm::dvec3> cage, std::size_t fine_vertex) const {
@@ -193,6 +205,19 @@ void Stencils::apply(std::span<const glm::dvec3> cage, std::vector<glm::vec3>& f
   assert(cage.size() == cage_size_);
   fine.resize(fine_size());
   for (std::size_t i = 0; i < fine.size(); ++i) fine[i] = glm::vec3{point(cage, i)};
+}
+
+void Stencils::apply(std::span<const Padded> cage, PaddedPoints& fine) const {
+  assert(cage.size() == cage_size_);
+  fine.resize(fine_size());
+  auto term = terms_.begin();
+  for (const auto row : by_length_) {
+    Padded sum{};
+    for (const auto end = term + (first_[row + 1] - first_[row]); term != end; ++term) {
+      sum += term->weight * cage[term->column];
+    }
+    fine[row] = sum;
+  }
 }
 
 std::vector<float> Stencils::apply(std::span<const double> cage) const {
@@ -211,22 +236,6 @@ std::vector<std::uint32_t> Stencils::triangles() const {
   result.reserve(quads_.size() * 6);
   for (const auto& [a, b, c, d] : quads_) result.insert(result.end(), {a, b, c, a, c, d});
   return result;
-}
-
-void quad_normals(std::span<const glm::vec3> positions,
-                  std::span<const Stencils::Quad> quads,
-                  std::vector<glm::vec3>& normals) {
-  normals.assign(positions.size(), glm::vec3{0.0F});
-  for (const auto& quad : quads) {
-    const auto normal = glm::cross(positions[quad[2]] - positions[quad[0]],
-                                   positions[quad[3]] - positions[quad[1]]);
-    for (const auto vertex : quad) normals[vertex] += normal;
-  }
-  constexpr float kNoArea = 1e-20F;
-  for (auto& normal : normals) {
-    const float length = glm::length(normal);
-    normal = length > kNoArea ? normal / length : glm::vec3{0.0F, 0.0F, 1.0F};
-  }
 }
 
 }  // namespace bimodal::synth

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "synth/face/obj_reader.hpp"
+#include "synth/face/padded.hpp"
 
 namespace bimodal::synth {
 
@@ -33,6 +34,9 @@ class Stencils {
   /// `cage` has cage_size() points, `fine` is made to hold fine_size().
   void apply(std::span<const glm::dvec3> cage, std::vector<glm::vec3>& fine) const;
 
+  /// The same in single precision throughout, as drawing needs it, right to 1e-4 mm.
+  void apply(std::span<const Padded> cage, PaddedPoints& fine) const;
+
   [[nodiscard]] std::vector<float> apply(std::span<const double> cage) const;
 
   /// One fine vertex in double precision.
@@ -42,16 +46,22 @@ class Stencils {
   [[nodiscard]] std::vector<std::uint32_t> triangles() const;
 
  private:
+  struct Term {
+    std::uint32_t column;
+    float weight;
+  };
+
+  void sort_terms();
+
   std::size_t cage_size_;
   std::vector<std::uint32_t> first_;  ///< row r: entries first_[r] to first_[r + 1]
   std::vector<std::uint32_t> column_;
   std::vector<double> weight_;
+  // In single precision the rows go by their length, so that the processor foresees where each
+  // ends.
+  std::vector<std::uint32_t> by_length_;  ///< rows
+  std::vector<Term> terms_;               ///< of these rows
   std::vector<Quad> quads_;
 };
-
-/// Area-weighted vertex normals of unit length: the cross products of the quads' diagonals, summed.
-void quad_normals(std::span<const glm::vec3> positions,
-                  std::span<const Stencils::Quad> quads,
-                  std::vector<glm::vec3>& normals);
 
 }  // namespace bimodal::synth

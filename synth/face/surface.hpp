@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
+
+#include "synth/face/padded.hpp"
+#include "synth/face/rigid_motion.hpp"
 
 namespace bimodal::synth {
 
@@ -66,11 +70,24 @@ struct LipMeasures {
   glm::vec3 inner_centre{};        ///< centre of the opening, for the light inside the mouth
 };
 
-/// One posed head. Reused from frame to frame, so that posing allocates only once.
+/// What Head::pose() works on and keeps from frame to frame; of no interest to anybody else.
+struct PosingMemory {
+  PaddedPoints skin_cage;
+  PaddedPoints skin;
+  PaddedPoints skin_normals;  ///< before they are made unit long
+  PaddedPoints tongue;
+  PaddedPoints tongue_normals;
+  std::shared_ptr<const void> posed_by;  ///< the head whose rigid parts
+  std::vector<RigidMotion> motions;      ///< have moved so
+};
+
+/// One posed head, written by Head::pose() alone. Reused from frame to frame, so that posing
+/// allocates only once.
 struct PosedHead {
   std::vector<SurfaceGeometry> surfaces;  ///< parallel to Head::surfaces()
   LipMeasures lips;
   std::vector<glm::dvec3> skin_cage;  ///< the posed control cage of the skin, before the head turns
+  PosingMemory memory;
 
   [[nodiscard]] const SurfaceGeometry& at(HeadSurface name) const {
     return surfaces[static_cast<std::size_t>(name)];

@@ -29,18 +29,20 @@ TeethObstacle::TeethObstacle(const FieldTable& table) {
 }
 
 void TeethObstacle::push_lips_out(const JawMotion& jaw, std::span<glm::dvec3> skin) const {
+  const RigidMotion out_of_jaw = jaw.rigid();
+  const RigidMotion into_jaw = out_of_jaw.inverse();
   for (const auto& [vertex, lower] : inside_) {
     auto& point = skin[vertex];
     const double x = std::min(std::abs(point.x), kArchEnd);
     const double upper_z = kUpperArch.z_at(x) + kUpperClearance;
     point.z += smooth_step(-78.5, -76.8, point.y) * std::max(0.0, upper_z - point.z);
     if (!lower) continue;
-    auto in_jaw = jaw.undo(point);
+    auto in_jaw = into_jaw.move(point);
     const double lower_z = kLowerArch.z_at(x) + kLowerClearance;
     const double way = smooth_step(-74.0, -76.5, in_jaw.y) * std::max(0.0, lower_z - in_jaw.z);
     if (way <= 0.0) continue;
     in_jaw.z += way;
-    point = jaw.move(in_jaw);
+    point = out_of_jaw.move(in_jaw);
   }
 }
 

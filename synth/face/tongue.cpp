@@ -142,6 +142,17 @@ class Passage {
   double shorter_;
 };
 
+/// The root follows the jaw least.
+void carry(const JawMotion& jaw, TongueCage& cage) {
+  for (std::size_t station = 0; station < kTongueStations; ++station) {
+    const auto motion = jaw.rigid(std::clamp(0.35 + 0.65 * (along(station) / 0.45), 0.0, 1.0));
+    const std::size_t first = station * kTongueRound;
+    const bool has_tip = station + 1 == kTongueStations;
+    const std::size_t end = has_tip ? kTongueVertices : first + kTongueRound;
+    for (std::size_t i = first; i < end; ++i) cage[i] = motion.move(cage[i]);
+  }
+}
+
 }  // namespace
 
 TongueCage tongue_cage(const Pose& pose, const JawMotion& jaw) {
@@ -171,10 +182,7 @@ TongueCage tongue_cage(const Pose& pose, const JawMotion& jaw) {
   const auto tip = midline.back() + 2.0 * direction(midline, kTongueStations - 1);
   cage.back() = {0.0, tip.x, tip.y};
 
-  for (std::size_t i = 0; i < kTongueVertices; ++i) {
-    const double t = along(std::min(i / kTongueRound, kTongueStations - 1));
-    cage[i] = jaw.move(cage[i], std::clamp(0.35 + 0.65 * (t / 0.45), 0.0, 1.0));
-  }
+  carry(jaw, cage);
   return cage;
 }
 

@@ -11,7 +11,8 @@ namespace bimodal::synth {
 
 namespace {
 
-constexpr double kClear = 0.2;  // mm left between tongue and teeth or palate
+constexpr double kClear = 0.2;      // mm left between tongue and teeth or palate
+constexpr double kTouching = 1e-6;  // mm: what has just yielded so far has yielded enough
 
 // Only between the front teeth may the tongue come out; beside the molars never.
 constexpr double kSidesEnd = 78.0;  // z, mm
@@ -24,11 +25,12 @@ constexpr double kOpenGap = 2.2;
 constexpr glm::dvec3 kUpperEdge{0.0, -78.0, 92.0};
 constexpr glm::dvec3 kLowerEdge{0.0, -75.6, 89.5};
 
-/// `may_pass`: whether it may also get out of the teeth's way into the gap between the jaws.
-void yield(const ToothRow& teeth, double passing, bool may_pass, glm::dvec3& point) {
+/// Returns whether the point meets the teeth. `may_pass`: whether it may also get out of the
+/// teeth's way into the gap between the jaws.
+bool yield(const ToothRow& teeth, double passing, bool may_pass, glm::dvec3& point) {
+  const double beyond = teeth.beyond(point.x, point.z) + kClear;
+  if (beyond <= 0.0) return false;
   const auto place = teeth.at(point.x, point.z);
-  const double beyond = place.beyond + kClear;
-  if (beyond <= 0.0) return;
   const auto draw_in = [&](double way) {
     point.x += way * place.inward.x;
     point.z += way * place.inward.y;
@@ -37,16 +39,17 @@ void yield(const ToothRow& teeth, double passing, bool may_pass, glm::dvec3& poi
   draw_in(beyond * (1.0 - front));
   const double left = beyond * front;
   const double depth = teeth.depth(place, point.y) + kClear;
-  if (left <= 0.0 || depth <= 0.0) return;
+  if (left <= 0.0 || depth <= kTouching) return true;
   if (may_pass && depth < left) {
     point.y += depth * teeth.into_gap();
   } else {
     draw_in(left);
   }
+  return true;
 }
 
 void yield_to_palate(glm::dvec3& point) {
-  if (point.z > kPalateFront) return;
+  if (point.z > kPalateFront || point.y < kPalateLowest - kClear) return;
   point.y = std::min(point.y, palate_y(point.x, point.z) - kClear);
 }
 
@@ -62,16 +65,20 @@ TongueContact::TongueContact(const RigidPart& upper_teeth, const RigidPart& lowe
 void TongueContact::yield_to(const JawMotion& jaw,
                              const glm::dvec3& teeth_offset,
                              std::span<glm::vec3> tongue) const {
-  const double gap = kUpperEdge.y - jaw.move(kLowerEdge).y;
+  const RigidMotion out_of_jaw = jaw.rigid();
+  const RigidMotion into_jaw = out_of_jaw.inverse();
+  const double gap = kUpperEdge.y - out_of_jaw.move(kLowerEdge).y;
   const double passing = smooth_step(kShutGap, kOpenGap, gap);
+  const auto meets_teeth = [&](bool may_pass, glm::dvec3& point) {
+    auto in_jaw = into_jaw.move(point);
+    const bool meets_lower = yield(lower_, passing, may_pass, in_jaw);
+    if (meets_lower) point = out_of_jaw.move(in_jaw);
+    return yield(upper_, passing, may_pass, point) || meets_lower;
+  };
   for (auto& drawn : tongue) {
     glm::dvec3 point = glm::dvec3{drawn} - teeth_offset;
-    for (const bool may_pass : {true, false}) {  // what one row gives way to, the other may stop
-      auto in_jaw = jaw.undo(point);
-      yield(lower_, passing, may_pass, in_jaw);
-      point = jaw.move(in_jaw);
-      yield(upper_, passing, may_pass, point);
-    }
+    // What one row gives way to, the other may stop.
+    if (meets_teeth(true, point)) meets_teeth(false, point);
     yield_to_palate(point);
     drawn = glm::vec3{point + teeth_offset};
   }

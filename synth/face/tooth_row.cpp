@@ -159,28 +159,35 @@ void ToothRow::smooth() {
   }
 }
 
-ToothRow::Place ToothRow::at(double x, double z) const {
+ToothRow::Neighbourhood ToothRow::round(double x, double z) const {
   const double across =
       std::clamp(std::abs(x) / kCell - 0.5, 0.0, static_cast<double>(kColumns) - 1.001);
   const double along =
       std::clamp((z - kFirstZ) / kCell - 0.5, 0.0, static_cast<double>(kRows) - 1.001);
   const auto column = static_cast<std::size_t>(across);
   const auto row = static_cast<std::size_t>(along);
-  const double u = across - static_cast<double>(column);
-  const double v = along - static_cast<double>(row);
-  const Cell& a = cell(column, row);
-  const Cell& b = cell(column + 1, row);
-  const Cell& c = cell(column, row + 1);
-  const Cell& d = cell(column + 1, row + 1);
-  const auto mixed = [&](double Cell::*member) {
-    return (1 - v) * ((1 - u) * a.*member + u * b.*member) +
-           v * ((1 - u) * c.*member + u * d.*member);
-  };
+  return {.a = cell(column, row),
+          .b = cell(column + 1, row),
+          .c = cell(column, row + 1),
+          .d = cell(column + 1, row + 1),
+          .u = across - static_cast<double>(column),
+          .v = along - static_cast<double>(row)};
+}
+
+double ToothRow::Neighbourhood::mixed(double Cell::*member) const {
+  return (1 - v) * ((1 - u) * a.*member + u * b.*member) +
+         v * ((1 - u) * c.*member + u * d.*member);
+}
+
+ToothRow::Place ToothRow::at(double x, double z) const {
+  const auto near = round(x, z);
+  const auto& [a, b, c, d, u, v] = near;
   const glm::dvec2 outward{(1 - v) * (b.beyond - a.beyond) + v * (d.beyond - c.beyond),
                            (1 - u) * (c.beyond - a.beyond) + u * (d.beyond - b.beyond)};
   const double steepness = glm::length(outward);
-  Place place{
-      .beyond = mixed(&Cell::beyond), .inward = {0.0, -1.0}, .edge_y = mixed(&Cell::edge_y)};
+  Place place{.beyond = near.mixed(&Cell::beyond),
+              .inward = {0.0, -1.0},
+              .edge_y = near.mixed(&Cell::edge_y)};
   if (steepness > 1e-6) place.inward = -outward / steepness;
   if (x < 0) place.inward.x = -place.inward.x;
   return place;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
 namespace bimodal::synth {
@@ -135,13 +136,17 @@ void EdgeSmoothing::apply(const Image& raw, Image& smooth) {
   flags_.assign(raw.width, 0);
   for (std::ptrdiff_t y = 1; y + 1 < height; ++y) {
     flag_edges(luma_.data() + y * width, raw.width, flags_.data());
-    auto found = std::find(flags_.begin(), flags_.end(), 1);
-    for (; found != flags_.end(); found = std::find(found + 1, flags_.end(), 1)) {
-      const std::ptrdiff_t x = found - flags_.begin();
+    for (std::ptrdiff_t x = next_flag(0); x < width; x = next_flag(x + 1)) {
       const std::ptrdiff_t room = std::min({x, width - 1 - x, y, height - 1 - y});
       smooth_pixel(raw, y * width + x, static_cast<int>(room), smooth);
     }
   }
+}
+
+std::ptrdiff_t EdgeSmoothing::next_flag(std::ptrdiff_t from) const {
+  const auto width = static_cast<std::ptrdiff_t>(flags_.size());
+  const void* found = std::memchr(flags_.data() + from, 1, static_cast<std::size_t>(width - from));
+  return found == nullptr ? width : static_cast<const std::uint8_t*>(found) - flags_.data();
 }
 
 void EdgeSmoothing::smooth_pixel(const Image& raw,
@@ -155,8 +160,7 @@ void EdgeSmoothing::smooth_pixel(const Image& raw,
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const auto value = static_cast<float>(raw.pixels[own + channel]);
     const float difference = static_cast<float>(raw.pixels[other + channel]) - value;
-    smooth.pixels[own + channel] =
-        static_cast<std::uint8_t>(std::lround(value + weight * difference));
+    smooth.pixels[own + channel] = static_cast<std::uint8_t>(value + weight * difference + 0.5F);
   }
 }
 

@@ -23,6 +23,9 @@ class EdgeSmoothing {
  private:
   void smooth_pixel(const Image& raw, std::ptrdiff_t here, int room, Image& smooth) const;
 
+  /// The first place at or after `from` that is flagged, else the width.
+  [[nodiscard]] std::ptrdiff_t next_flag(std::ptrdiff_t from) const;
+
   std::vector<std::uint8_t> luma_;
   std::vector<std::uint8_t> flags_;  // of one row
 };

@@ -75,7 +75,7 @@ HeadPart part_of(const SurfaceDescription& surface,
       break;
   }
   const HeadPart part = skin_part(skin_detail(surface, paint, triangle));
-  return part == Skin && surface.name.ends_with("ear") ? Ear : part;
+  return part == Skin && is_ear(surface) ? Ear : part;
 }
 
 /// Whether speech turns the part's surface by no more than the 20 degrees allowed for below.
@@ -111,8 +111,7 @@ std::array<PartTriangles, kHeadPartCount> sort_by_part(
     const SurfaceDescription& surface = surfaces[s];
     const std::vector<glm::vec3>& normals = resting.surfaces[s].normals;
     const std::vector<std::uint32_t> triangles =
-        quality == Quality::Full ? surface.triangles
-                                 : triangles_worth_drawing(surface, paints[s], normals);
+        triangles_worth_drawing(surface, paints[s], normals, towards_camera, quality);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
       const std::span<const std::uint32_t, 3> triangle{&triangles[i], 3};
       const HeadPart part = part_of(surface, paints[s], triangle);

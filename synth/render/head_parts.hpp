@@ -36,8 +36,7 @@ struct PartTriangles {
   std::vector<std::uint32_t> far;   ///< those that it can see only when the head turns
 };
 
-/// One per part. `paints`: one per surface; `towards_camera`: unit vector. Full quality keeps all
-/// triangles.
+/// One per part. `paints`: one per surface; `towards_camera`: unit vector.
 [[nodiscard]] std::array<PartTriangles, kHeadPartCount> sort_by_part(
     std::span<const SurfaceDescription> surfaces,
     std::span<const std::vector<VertexPaint>> paints,

@@ -4,12 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "stimuli/base/error.hpp"
+
 namespace bimodal::synth {
 
 namespace {
 
-constexpr GLuint kPositionSlot = 0;
-constexpr GLuint kNormalSlot = 1;
+/// What travels with every frame; the attributes 0 and 1 of head.vert.
+struct MovingVertex {
+  glm::vec3 position;
+  glm::vec3 normal;
+};
 
 GLuint new_buffer() {
   GLuint name = 0;
@@ -27,6 +32,12 @@ void describe_attribute(GLuint slot, GLint components, std::size_t stride, std::
                         reinterpret_cast<const void*>(offset));
 }
 
+void describe_moving_attributes() {
+  constexpr std::size_t kStride = sizeof(MovingVertex);
+  describe_attribute(0, 3, kStride, offsetof(MovingVertex, position));
+  describe_attribute(1, 3, kStride, offsetof(MovingVertex, normal));
+}
+
 void describe_fixed_attributes() {
   constexpr std::size_t kStride = sizeof(FixedVertex);
   describe_attribute(2, 3, kStride, offsetof(FixedVertex, rest));
@@ -37,24 +48,13 @@ void describe_fixed_attributes() {
   describe_attribute(7, 2, kStride, offsetof(FixedVertex, gloss));
 }
 
-/// Gives the buffer fresh memory, so that the device need not wait for the frame before.
-void renew(GLuint buffer, std::size_t bytes) {
-  glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_DRAW);
-}
-
 }  // namespace
 
-MeshBuffers::MeshBuffers(std::span<const SurfaceDescription> surfaces,
-                         std::span<const PartTriangles, kHeadPartCount> triangles)
-    : positions_{new_buffer()}, normals_{new_buffer()}, fixed_{new_buffer()} {
-  for (const SurfaceDescription& surface : surfaces) {
-    surface_sizes_.push_back(surface.rest_positions.size());
-    vertex_count_ += surface.rest_positions.size();
-  }
+MeshBuffers::MeshBuffers(const DrawnMesh& mesh)
+    : vertices_{mesh.vertices}, moving_{new_buffer()}, fixed_{new_buffer()} {
   std::vector<std::uint32_t> indices;
   for (std::size_t part = 0; part < kHeadPartCount; ++part) {
-    const PartTriangles& own = triangles[part];
+    const PartTriangles& own = mesh.parts.at(part);
     ranges_.at(part) = {indices.size(), own.near.size(), own.near.size() + own.far.size()};
     indices.insert(indices.end(), own.near.begin(), own.near.end());
     indices.insert(indices.end(), own.far.begin(), own.far.end());
@@ -67,17 +67,15 @@ MeshBuffers::MeshBuffers(std::span<const SurfaceDescription> surfaces,
                static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
                indices.data(),
                GL_STATIC_DRAW);
-  glBindBuffer(GL_ARRAY_BUFFER, positions_);
-  describe_attribute(kPositionSlot, 3, sizeof(glm::vec3), 0);
-  glBindBuffer(GL_ARRAY_BUFFER, normals_);
-  describe_attribute(kNormalSlot, 3, sizeof(glm::vec3), 0);
+  glBindBuffer(GL_ARRAY_BUFFER, moving_);
+  describe_moving_attributes();
   glBindBuffer(GL_ARRAY_BUFFER, fixed_);
   describe_fixed_attributes();
-  fix(std::vector<FixedVertex>(vertex_count_));
+  fix(std::vector<FixedVertex>(vertices_.size()));
 }
 
 void MeshBuffers::fix(std::span<const FixedVertex> vertices) const {
-  assert(vertices.size() == vertex_count_);
+  assert(vertices.size() == vertices_.size());
   glBindBuffer(GL_ARRAY_BUFFER, fixed_);
   glBufferData(GL_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(vertices.size_bytes()),
@@ -85,24 +83,19 @@ void MeshBuffers::fix(std::span<const FixedVertex> vertices) const {
                GL_STATIC_DRAW);
 }
 
+/// The buffer gets fresh memory, so that the device need not wait for the frame before.
 void MeshBuffers::move_to(const PosedHead& posed) const {
-  assert(posed.surfaces.size() == surface_sizes_.size());
-  const auto send = [&](GLuint buffer, auto member) {
-    renew(buffer, vertex_count_ * sizeof(glm::vec3));
-    std::size_t offset = 0;
-    for (std::size_t s = 0; s < posed.surfaces.size(); ++s) {
-      const std::vector<glm::vec3>& values = posed.surfaces[s].*member;
-      assert(values.size() == surface_sizes_[s]);
-      const std::size_t bytes = values.size() * sizeof(glm::vec3);
-      glBufferSubData(GL_ARRAY_BUFFER,
-                      static_cast<GLintptr>(offset),
-                      static_cast<GLsizeiptr>(bytes),
-                      values.data());
-      offset += bytes;
-    }
-  };
-  send(positions_, &SurfaceGeometry::positions);
-  send(normals_, &SurfaceGeometry::normals);
+  const auto bytes = static_cast<GLsizeiptr>(vertices_.size() * sizeof(MovingVertex));
+  glBindBuffer(GL_ARRAY_BUFFER, moving_);
+  glBufferData(GL_ARRAY_BUFFER, bytes, nullptr, GL_STREAM_DRAW);
+  auto* sent = static_cast<MovingVertex*>(
+      glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
+  if (sent == nullptr) throw Error{"cannot move the head: OpenGL gives no memory for it"};
+  for (const auto& [surface, own] : vertices_) {
+    const SurfaceGeometry& geometry = posed.surfaces[surface];
+    *sent++ = {geometry.positions[own], geometry.normals[own]};
+  }
+  glUnmapBuffer(GL_ARRAY_BUFFER);
 }
 
 void MeshBuffers::draw(HeadPart part, Side side) const {

@@ -10,7 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include "synth/face/surface.hpp"
-#include "synth/render/head_parts.hpp"
+#include "synth/render/drawn_mesh.hpp"
 
 namespace bimodal::synth {
 
@@ -28,21 +28,17 @@ struct FixedVertex {
 /// live as long as the context that is current at construction.
 class MeshBuffers {
  public:
-  MeshBuffers(std::span<const SurfaceDescription> surfaces,
-              std::span<const PartTriangles, kHeadPartCount> triangles);
+  explicit MeshBuffers(const DrawnMesh& mesh);
 
-  /// One per vertex, through all surfaces; sent once.
+  /// One per drawn vertex; sent once.
   void fix(std::span<const FixedVertex> vertices) const;
 
-  /// `posed` has as many surfaces and vertices as the descriptions (asserted).
   void move_to(const PosedHead& posed) const;
 
   enum class Side : std::uint8_t { Near, Both };
 
   /// Draws the triangles of one part with the program in use.
   void draw(HeadPart part, Side side) const;
-
-  [[nodiscard]] std::size_t vertex_count() const { return vertex_count_; }
 
  private:
   struct Range {
@@ -51,12 +47,10 @@ class MeshBuffers {
     std::size_t count = 0;
   };
 
-  std::vector<std::size_t> surface_sizes_;  // vertices
-  std::size_t vertex_count_ = 0;
+  std::vector<DrawnVertex> vertices_;
   std::array<Range, kHeadPartCount> ranges_{};
   GLuint vertex_array_ = 0;
-  GLuint positions_ = 0;
-  GLuint normals_ = 0;
+  GLuint moving_ = 0;
   GLuint fixed_ = 0;
 };
 

@@ -15,14 +15,13 @@ struct Exposure {
   float fill = 1.0F;  ///< part of the fill light, with a softer edge
 };
 
-/// One per vertex, through all surfaces, from depth maps of the head seen from 48 directions of the
-/// sky and from both lights; the lights' shadows are then spread over neighbouring vertices of
-/// `drawn`, so that no edge of a shadow is sharper than the mesh can show. `mesh` must stand at
-/// `resting`. Changes the current framebuffer and viewport.
-[[nodiscard]] std::vector<Exposure> exposure_at_rest(
-    const PosedHead& resting,
-    const MeshBuffers& mesh,
-    std::span<const PartTriangles, kHeadPartCount> drawn,
-    const Materials& materials);
+/// One per drawn vertex, from depth maps of the head seen from 48 directions of the
+/// sky and from both lights; the lights' shadows are then spread over neighbouring vertices, so
+/// that no edge of a shadow is sharper than the mesh can show. `mesh` must stand at `resting`.
+/// Changes the current framebuffer and viewport.
+[[nodiscard]] std::vector<Exposure> exposure_at_rest(const PosedHead& resting,
+                                                     const MeshBuffers& mesh,
+                                                     const DrawnMesh& drawn,
+                                                     const Materials& materials);
 
 }  // namespace bimodal::synth

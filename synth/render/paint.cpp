@@ -151,11 +151,16 @@ VertexPaint paint_vertex(const SurfaceDescription& surface,
 
 bool on_brow(glm::vec3 brow) {
   constexpr float kBeyond = 0.2F;  // part of the brow's length, past its ends
-  return std::abs(brow.y) < kBrowReach && brow.x > -kBeyond && brow.x < 1.0F + kBeyond;
+  constexpr float kHairs = 7.0F;   // mm from the middle line
+  return std::abs(brow.y) < kHairs && brow.x > -kBeyond && brow.x < 1.0F + kBeyond;
 }
 
 bool is_palate(const SurfaceDescription& surface) {
   return surface.name.find("palate") != std::string::npos;
+}
+
+bool is_ear(const SurfaceDescription& surface) {
+  return surface.name.ends_with("ear");
 }
 
 std::vector<VertexPaint> paint(const SurfaceDescription& surface, const Materials& materials) {
@@ -178,11 +183,11 @@ SkinDetail skin_detail(const SurfaceDescription& surface,
       std::ranges::all_of(triangle, [&](std::uint32_t v) { return surface.lip[v] > kMouthWall; });
   if (is_wall) return SkinDetail::MouthWall;
   if (any([&](std::uint32_t v) { return surface.lip[v] > kFaintestLip; })) return SkinDetail::Lips;
-  if (any([&](std::uint32_t v) { return on_brow(paint[v].brow); })) {
-    return SkinDetail::Brow;
-  }
   if (any([&](std::uint32_t v) { return surface.scalp[v] > kFaintestHair; })) {
     return SkinDetail::Hair;
+  }
+  if (any([&](std::uint32_t v) { return on_brow(paint[v].brow); })) {
+    return SkinDetail::Brow;
   }
   return SkinDetail::None;
 }

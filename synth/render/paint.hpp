@@ -27,6 +27,8 @@ struct VertexPaint {
 /// Whether a surface of gum is the roof of the mouth.
 [[nodiscard]] bool is_palate(const SurfaceDescription& surface);
 
+[[nodiscard]] bool is_ear(const SurfaceDescription& surface);
+
 /// Whether hair of the brow can stand at VertexPaint::brow.
 [[nodiscard]] bool on_brow(glm::vec3 brow);
 

@@ -18,6 +18,22 @@ bool is_painted_on_skin(HeadPart part) {
   return part == Brow || part == Hair;
 }
 
+/// Whether light through the lips alone reaches some of the part.
+bool is_in_mouth(HeadPart part) {
+  switch (part) {
+    case Lips:
+    case MouthWall:
+    case UpperTooth:
+    case LowerTooth:
+    case Gum:
+    case Palate:
+    case Tongue:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// What is lost of the dark of the mouth when one sees into it from elsewhere than between the
 /// lips.
 float mouth_light(const Appearance& appearance) {
@@ -38,6 +54,7 @@ std::string preamble(const Appearance& appearance, HeadPart part) {
   if (shading == Shading::Flat) text += "#define FLAT 1\n";
   if (appearance.cut) text += "#define CUT 1\n";
   if (appearance.quality == Quality::Full) text += "#define FULL 1\n";
+  if (is_in_mouth(part)) text += "#define MOUTH 1\n";
   const bool is_alone = !has(appearance.shown, Skin);
   if (is_alone && (is_painted_on_skin(part) || part == Lips)) text += "#define ALONE 1\n";
   return text;

@@ -39,16 +39,32 @@ GLuint framebuffer(const Image& picture, int samples) {
 }  // namespace
 
 PictureTarget::PictureTarget(std::size_t width, std::size_t height, int samples)
-    : raw_{width, height, std::vector<std::uint8_t>(width * height * 4)} {
+    : samples_{samples}, raw_{width, height, std::vector<std::uint8_t>(width * height * 4)} {
   framebuffer_ = framebuffer(raw_, samples);
   single_ = samples > 1 ? framebuffer(raw_, 1) : framebuffer_;
 }
 
-void PictureTarget::begin() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+void PictureTarget::begin_ground() {
+  ground_ = framebuffer(raw_, samples_);
   glViewport(0, 0, static_cast<GLsizei>(raw_.width), static_cast<GLsizei>(raw_.height));
   glEnable(GL_FRAMEBUFFER_SRGB);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
+
+void PictureTarget::begin() const {
+  const auto width = static_cast<GLsizei>(raw_.width);
+  const auto height = static_cast<GLsizei>(raw_.height);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glViewport(0, 0, width, height);
+  glEnable(GL_FRAMEBUFFER_SRGB);
+  if (ground_ == 0) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    return;
+  }
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, ground_);
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 void PictureTarget::read_into(Image& image) {

@@ -15,7 +15,10 @@ class PictureTarget {
   /// draw pictures of that size.
   PictureTarget(std::size_t width, std::size_t height, int samples);
 
-  /// What is drawn from now on goes into an empty picture.
+  /// What is drawn from now on until begin() is what every picture begins with, instead of nothing.
+  void begin_ground();
+
+  /// What is drawn from now on goes into a new picture.
   void begin() const;
 
   /// Copies the picture out, its edges smoothed; `image` keeps its memory.
@@ -23,7 +26,9 @@ class PictureTarget {
 
  private:
   GLuint framebuffer_ = 0;  // where one draws
+  GLuint ground_ = 0;       // what every picture begins with; 0: nothing
   GLuint single_ = 0;       // where pixels are read; the same with one sample
+  int samples_;
   Image raw_;
   EdgeSmoothing smoothing_;
 };

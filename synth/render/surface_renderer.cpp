@@ -59,27 +59,26 @@ float inside_mouth(const SurfaceDescription& surface, std::size_t vertex) {
 
 std::vector<FixedVertex> fixed_vertices(std::span<const SurfaceDescription> surfaces,
                                         std::span<const std::vector<VertexPaint>> paints,
+                                        std::span<const DrawnVertex> drawn,
                                         std::span<const Exposure> exposures) {
   std::vector<FixedVertex> vertices;
-  vertices.reserve(exposures.size());
+  vertices.reserve(drawn.size());
   const auto mask = [](const std::vector<float>& values, std::size_t i) {
     return values.empty() ? 0.0F : values[i];
   };
-  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+  for (const auto& [s, i] : drawn) {
     const SurfaceDescription& surface = surfaces[s];
-    for (std::size_t i = 0; i < surface.rest_positions.size(); ++i) {
-      const VertexPaint& paint = paints[s][i];
-      const Exposure& exposure = exposures[vertices.size()];
-      vertices.push_back({surface.rest_positions[i],
-                          paint.albedo,
-                          {exposure.sky, exposure.key, exposure.fill, inside_mouth(surface, i)},
-                          {mask(surface.lip, i),
-                           mask(surface.wet, i),
-                           mask(surface.scalp, i),
-                           mask(surface.special, i)},
-                          paint.brow,
-                          paint.gloss});
-    }
+    const VertexPaint& paint = paints[s][i];
+    const Exposure& exposure = exposures[vertices.size()];
+    vertices.push_back({surface.rest_positions[i],
+                        paint.albedo,
+                        {exposure.sky, exposure.key, exposure.fill, inside_mouth(surface, i)},
+                        {mask(surface.lip, i),
+                         mask(surface.wet, i),
+                         mask(surface.scalp, i),
+                         mask(surface.special, i)},
+                        paint.brow,
+                        paint.gloss});
   }
   return vertices;
 }
@@ -125,7 +124,7 @@ struct SurfaceRenderer::Stage {
 
   Appearance appearance_;
   std::vector<std::vector<VertexPaint>> paints_;
-  std::array<PartTriangles, kHeadPartCount> triangles_;
+  DrawnMesh drawn_;
   MeshBuffers mesh_;
   ShadowMap shadow_map_;
   PartPrograms programs_;
@@ -144,8 +143,8 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
                               const Appearance& wanted)
     : appearance_{wanted},
       paints_{paint_all(surfaces, wanted.materials)},
-      triangles_{sort_by_part(surfaces, paints_, resting, towards_camera(view), wanted.quality)},
-      mesh_{surfaces, triangles_},
+      drawn_{drawn_mesh(surfaces, paints_, resting, towards_camera(view), wanted.quality)},
+      mesh_{drawn_},
       shadow_map_{wanted.materials.key_direction},
       programs_{wanted, camera_for(view), shadow_map_.map_from_world()},
       backdrop_{ShaderSource{{"backdrop.vert"}, {"backdrop.frag"}}},
@@ -155,8 +154,8 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_CULL_FACE);
   mesh_.move_to(resting);
-  const std::vector<Exposure> exposures = exposure_at_rest(resting, mesh_, triangles_, materials);
-  mesh_.fix(fixed_vertices(surfaces, paints_, exposures));
+  const std::vector<Exposure> exposures = exposure_at_rest(resting, mesh_, drawn_, materials);
+  mesh_.fix(fixed_vertices(surfaces, paints_, drawn_.vertices, exposures));
 
   const Camera camera = camera_for(view);
   if (wanted.cut) {
@@ -167,6 +166,10 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
   backdrop_.use();
   backdrop_.set("centre_colour", linear(backdrop.centre));
   backdrop_.set("edge_colour", linear(backdrop.edge));
+  if (!points_) {  // which stand before it where no part of the head does
+    target.begin_ground();
+    draw_backdrop();
+  }
   check_for_errors("prepare the head for drawing");
 }
 
@@ -237,14 +240,12 @@ void SurfaceRenderer::Stage::draw_head(const PosedHead& posed, const glm::mat3& 
     points_->draw(posed);
   } else if (appearance_.skin_transparency > 0.0) {
     draw_parts(kMouth);
-    draw_backdrop();
     if (cut_faces_) cut_faces_->draw(posed);
     draw_skin_over_the_rest();
     draw_parts({HeadPart::Eye});  // between the lids only: eyeballs behind skin distract
     draw_clear_parts();
   } else {
     draw_opaque(mouth_is_open);
-    draw_backdrop();
     if (cut_faces_) cut_faces_->draw(posed);
     draw_clear_parts();
   }

@@ -16,9 +16,11 @@ uniform vec3 camera;
 uniform vec3 key_direction;   // towards the light
 uniform vec3 fill_direction;
 
+#ifdef MOUTH
 uniform mat3 head_axes;       // columns: the head's left, up and forward in the world
 uniform vec3 mouth_centre;    // of the opening between the lips
 uniform vec3 mouth_opening;   // half width, half height (mm), area (mm2)
+#endif
 
 uniform float sky_floor;      // light that reaches a translucent part in spite of what covers it
 uniform float shadow_floor;
@@ -37,7 +39,11 @@ out vec4 v_masks;
 out vec3 v_brow;
 BY_VERTEX out vec3 v_half;    // between the key light and the camera
 BY_VERTEX out float v_sheen;  // highlights that are broad enough for the vertices
+#ifdef MOUTH
 out float v_scattered_in_mouth;   // 0..1: how much of the scattered light gets so deep
+#else
+const float v_scattered_in_mouth = 1.0;
+#endif
 #ifdef GOURAUD
 out vec3 v_scattered;
 out float v_highlight;
@@ -50,6 +56,7 @@ const float kFillSheen = 0.25 * (kFillExponent + 2.0) / 8.0;
 const float kGrazingSheen = 0.08;
 const float kPi = 3.14159265;
 
+#ifdef MOUTH
 // Part of the sky's light that comes through the lips: the form factor of the opening as a disc of
 // the same area, with a share that has been scattered in the mouth.
 float sky_through_lips(vec3 at, vec3 n) {
@@ -79,6 +86,7 @@ float light_through_lips(vec3 at, vec3 direction) {
   float passes = 1.0 - smoothstep(0.70, 1.25, outside);
   return mix(passes, 1.0, smoothstep(-1.0, 3.0, from.z));
 }
+#endif
 
 // Diffuse light that creeps round the form by `wrap` (0..1).
 float wrapped(float cosine, float wrap) {
@@ -87,15 +95,18 @@ float wrapped(float cosine, float wrap) {
 }
 
 void main() {
+  float open = baked.x;
+  float key = baked.y;
+  float fill = baked.z;
+#ifdef MOUTH
   float inside = baked.w;
-  float open = mix(baked.x, mix(sky_through_lips(position, normal), 1.0, kMouthLight), inside);
+  open = mix(open, mix(sky_through_lips(position, normal), 1.0, kMouthLight), inside);
   v_scattered_in_mouth = mix(1.0, mix(scattered_so_deep(position), 1.0, kMouthLight), inside);
+  key = mix(key, mix(light_through_lips(position, key_direction), 1.0, kMouthLight), inside);
+  fill = mix(fill, mix(light_through_lips(position, fill_direction), 1.0, kMouthLight), inside);
+#endif
   open = mix(sky_floor * v_scattered_in_mouth, 1.0, open);
-  float key = mix(baked.y, mix(light_through_lips(position, key_direction), 1.0, kMouthLight),
-                  inside);
   key = mix(shadow_floor * v_scattered_in_mouth, 1.0, key);
-  float fill = mix(baked.z, mix(light_through_lips(position, fill_direction), 1.0, kMouthLight),
-                   inside);
 
   float cosine = dot(normal, fill_direction);
   vec3 filled = fill * vec3(wrapped(cosine, 0.30 * softness), wrapped(cosine, 0.20 * softness),

@@ -1,6 +1,10 @@
 // How much of the key light arrives, from the map of what it meets first.
 
+#ifdef MOUTH
 in float v_scattered_in_mouth;
+#else
+const float v_scattered_in_mouth = 1.0;
+#endif
 
 uniform sampler2DShadow shadow_map;
 uniform mat4 map_from_world;

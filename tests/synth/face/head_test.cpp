@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/random.hpp"
 #include "tests/synth/face/the_head.hpp"
 #include "tests/synth/face/written_file.hpp"
 
@@ -219,6 +220,49 @@ TEST(Head, GivesTheSameInEveryThread) {
       EXPECT_EQ(result.surfaces[i].normals, expected.surfaces[i].normals);
     }
   }
+}
+
+/// Half of the controls anywhere in their ranges, the others neutral.
+Pose random_pose(Random& random) {
+  Pose pose = neutral_pose();
+  for (const auto& control : controls()) {
+    if (random.uniform() < 0.5) continue;
+    value(pose, control.control) =
+        control.lowest + random.uniform() * (control.highest - control.lowest);
+  }
+  return pose;
+}
+
+void expect_the_same(const PosedHead& used, const PosedHead& fresh) {
+  for (std::size_t i = 0; i < fresh.surfaces.size(); ++i) {
+    ASSERT_EQ(used.surfaces[i].positions, fresh.surfaces[i].positions) << "surface " << i;
+    ASSERT_EQ(used.surfaces[i].normals, fresh.surfaces[i].normals) << "surface " << i;
+  }
+  EXPECT_EQ(used.skin_cage, fresh.skin_cage);
+  EXPECT_EQ(used.lips.inner_area_mm2, fresh.lips.inner_area_mm2);
+  EXPECT_EQ(used.lips.inner_centre, fresh.lips.inner_centre);
+}
+
+TEST(Head, PosesAUsedHeadAsAFreshOne) {
+  Random random{41};
+  PosedHead used;
+  for (int i = 0; i < 60; ++i) {
+    const auto pose = random_pose(random);
+    the_head().pose(pose, used);
+    expect_the_same(used, posed(pose));
+  }
+}
+
+TEST(Head, PosesWhatAnotherHeadHasPosed) {
+  const auto pose = pose_of({{Jaw, 4}, {GazeX, 10}});
+  PosedHead used;
+  {
+    const Head other{asset("synth/assets/head")};
+    other.pose(pose, used);
+  }
+  for (auto& surface : used.surfaces) surface = {};
+  the_head().pose(pose, used);
+  expect_the_same(used, posed(pose));
 }
 
 TEST(Head, SaysWhichFileIsMissing) {

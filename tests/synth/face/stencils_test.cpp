@@ -8,6 +8,7 @@
 
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/error.hpp"
+#include "synth/face/quad_normals.hpp"
 
 namespace bimodal::synth {
 namespace {
