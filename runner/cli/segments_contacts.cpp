@@ -13,7 +13,9 @@
 #include "runner/cli/text_table.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/counted.hpp"
+#include "stimuli/base/error.hpp"
 #include "stimuli/timeline/inventory_file.hpp"
+#include "stimuli/timeline/phone.hpp"
 #include "synth/inspection/contact_table.hpp"
 
 namespace bimodal::runner {
@@ -23,8 +25,28 @@ namespace {
 struct ContactOptions {
   std::string file = "english";
   std::vector<double> rates{0.5, 1.0, 2.0};
+  std::vector<std::string> with;
   std::size_t every = 1;
 };
+
+std::vector<Phone> phones(const std::vector<std::string>& symbols) {
+  std::vector<Phone> result;
+  for (const auto& written : symbols) {
+    const auto phone = phone_from_symbol(written);
+    if (!phone || !(is_consonant(*phone) || is_vowel(*phone))) {
+      throw Error{fmt::format("--with: '{}' is no sound; write ARPAbet, e.g. TH,DH", written)};
+    }
+    result.push_back(*phone);
+  }
+  return result;
+}
+
+std::string scope_in_words(const ContactOptions& options) {
+  std::string words =
+      options.every == 1 ? "every syllable" : fmt::format("one in {} syllables", options.every);
+  if (!options.with.empty()) words += fmt::format(" with {}", fmt::join(options.with, " or "));
+  return words;
+}
 
 bool print_contacts(const synth::ContactTable& table) {
   std::vector<std::vector<std::string>> rows{{"sounds", "requirement", "met", "of", "worst"}};
@@ -68,14 +90,14 @@ ExitCode contacts(const ContactOptions& options) {
       table,
       {.rates = options.rates,
        .every = options.every,
+       .with = phones(options.with),
        .threads = std::max(1U, std::thread::hardware_concurrency()),
        .progress = [is_told](double part_done) {
          if (is_told) fmt::print(stderr, "\r{:.0f} % of the syllables ", 100 * part_done);
        }});
   if (is_told) fmt::print(stderr, "\r{:40}\r", "");
   fmt::print("The drawn face in {} of all C V C at rates {}:\n\n",
-             options.every == 1 ? std::string{"every syllable"}
-                                : fmt::format("one in {} syllables", options.every),
+             scope_in_words(options),
              fmt::join(options.rates, ", "));
   const bool all_met = print_contacts(measured);
   const bool none_deep = print_penetrations(measured);
@@ -97,6 +119,7 @@ void add_segments_contacts(CLI::App& segments, Verb& chosen) {
                               "Exit code: 0 done, 1 something is missed, 3 errors.\n\n"
                               "Examples:\n"
                               "  bimodal segments contacts --every 50\n"
+                              "  bimodal segments contacts --with TH,DH --rates 2\n"
                               "  bimodal segments contacts mine.json --rates 1");
   auto options = std::make_shared<ContactOptions>();
   verb->add_option("FILE", options->file, "a file, or english (default), turkish-plateau");
@@ -105,6 +128,9 @@ void add_segments_contacts(CLI::App& segments, Verb& chosen) {
       ->allow_extra_args(false)
       ->check(finite_number())
       ->check(CLI::Range(0.1, 10.0));
+  verb->add_option("--with", options->with, "only syllables with one of these sounds, e.g. TH,DH")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_option("--every", options->every, "only each N-th syllable (1)")
       ->check(CLI::Range(1, 100'000));
   verb->callback([options, &chosen] { chosen = [options] { return contacts(*options); }; });

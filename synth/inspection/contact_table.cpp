@@ -240,6 +240,10 @@ class Looking {
   std::size_t pictures_ = 0;
 };
 
+bool is_wanted(const ContactScope& scope, const std::array<Phone, 3>& sounds) {
+  return scope.with.empty() || std::ranges::find_first_of(sounds, scope.with) != sounds.end();
+}
+
 std::vector<Syllable> syllables(const ContactScope& scope) {
   std::vector<Phone> consonants;
   std::vector<Phone> vowels;
@@ -253,6 +257,7 @@ std::vector<Syllable> syllables(const ContactScope& scope) {
     for (const Phone vowel : vowels) {
       for (const Phone first : consonants) {
         for (const Phone last : consonants) {
+          if (!is_wanted(scope, {first, vowel, last})) continue;
           if (number++ % scope.every == 0) result.push_back({{first, vowel, last}, rate});
         }
       }

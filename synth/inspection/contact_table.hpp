@@ -32,7 +32,8 @@ struct ContactTable {
 
 struct ContactScope {
   std::vector<double> rates{0.5, 1.0, 2.0};
-  std::size_t every = 1;  ///< only each n-th syllable is looked at
+  std::size_t every = 1;    ///< only each n-th of those syllables is looked at
+  std::vector<Phone> with;  ///< only syllables with one of these sounds; empty: all
   std::size_t threads = 1;
   std::function<void(double part_done)> progress;  ///< may be empty
 };
