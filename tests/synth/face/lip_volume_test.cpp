@@ -23,7 +23,8 @@ class LipBody {
     const FieldTable table{asset("synth/assets/head/fields.csv")};
     const auto file = asset("synth/assets/head/head.obj");
     std::vector<double> x;
-    for (const auto& vertex : part(read_obj(file), "skin", file).vertices) x.push_back(vertex.x);
+    const auto cages = read_obj(file);
+    for (const auto& vertex : part(cages, "skin", file).vertices) x.push_back(vertex.x);
     const MouthLoops mouth{
         table.whole_numbers("mouth_ring"), table.whole_numbers("mouth_column"), x};
     using enum MouthLoops::Side;
