@@ -16,6 +16,9 @@ namespace bimodal::runner {
 
 namespace {
 
+// Of a face without further words: the mouth's, not the tongue's or the cheeks'.
+constexpr std::string_view kWidth = "width";
+
 /// "Mouth-Width" and "mouth width" are "mouth_width".
 std::string with_underscores(std::string_view name) {
   std::string plain = lower_case(std::string{name});
@@ -46,12 +49,13 @@ double read_value(std::string_view setting, std::string_view text) {
 synth::Control control_called(std::string_view name) {
   const std::string plain = with_underscores(without_blanks(name));
   if (const auto control = synth::control_from_name(plain)) return *control;
+  if (plain == kWidth) return synth::Control::LipWidth;
   std::vector<std::string> known;
   for (const auto& row : synth::controls()) {
     known.emplace_back(row.name);
-    if (row.paper_name.empty()) continue;
-    known.push_back(with_underscores(row.paper_name));
-    if (known.back() == plain) return row.control;
+    const std::string in_the_paper = with_underscores(row.paper_name);
+    if (in_the_paper == plain) return row.control;
+    if (!in_the_paper.empty() && in_the_paper != row.name) known.push_back(in_the_paper);
   }
   const std::vector<std::string_view> names{known.begin(), known.end()};
   const auto near = nearest(plain, names);

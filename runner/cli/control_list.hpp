@@ -15,7 +15,8 @@ struct AskedPose {
 };
 
 /// The control of a name in files ("lip_width") or in Cohen & Massaro (1993) ("mouth width",
-/// "mouth-width"); case does not count. Throws Error naming what is near.
+/// "mouth-width"); "width" alone is that of the mouth; case does not count. Throws Error naming
+/// what is near.
 [[nodiscard]] synth::Control control_called(std::string_view name);
 
 /// Reads "jaw=8", "lip_width=-10", ...; the rest stays neutral. Throws Error at the first setting

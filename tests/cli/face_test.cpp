@@ -60,6 +60,7 @@ TEST_F(FaceVerb, DrawsAPoseByTheFacesOrThePapersNames) {
       ended(ExitCode::Done, AllOf(HasSubstr("x.png: 80 x 90 pixels"), HasSubstr("degrees high"))));
   const auto picture = bytes("x.png");
   EXPECT_EQ(drawn({"--controls", "Jaw-Rotation=8,mouth width=-10"}).exit_code, 0);
+  EXPECT_EQ(drawn({"--controls", "jaw=8,width=-10"}).exit_code, 0);
   EXPECT_EQ(bytes("x.png"), picture);
   EXPECT_EQ(drawn({"--controls", "jaw=7,lip_width=-10"}).exit_code, 0);
   EXPECT_NE(bytes("x.png"), picture);
