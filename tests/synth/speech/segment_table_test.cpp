@@ -194,7 +194,7 @@ TEST(SegmentTable, RefusesAControlWithoutGroup) {
 
 TEST(SegmentTable, RefusesAKeyThatStandsTwice) {
   EXPECT_THAT(complaints(R"({"sources": {}, "groups": {}, "groups": {}})"),
-              HasSubstr(": the key stands twice in one object, first on line"));
+              HasSubstr(": the same key is already on line"));
 }
 
 TEST(SegmentTable, RefusesAnUnknownKey) {
