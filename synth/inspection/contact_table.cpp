@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "synth/inspection/contact_requirements.hpp"
 #include "synth/speech/articulation.hpp"
 #include "synth/speech/durations.hpp"
 
@@ -20,110 +21,7 @@ namespace {
 constexpr Milliseconds kPicture{1000.0 / 60};
 constexpr Milliseconds kAround{50};       // pictures this far outside the sound count too
 constexpr std::size_t kMostPictures = 6;  // of those where the control is farthest
-
-/// What a group of sounds must show. A measure meets the requirement if least <= measure <= most.
-struct Requirement {
-  std::string_view sounds;
-  std::string_view words;
-  Control control;  ///< farthest in the pictures to be looked at
-  double sign;      ///< of "farthest"
-  double least;
-  double most;
-  double (*measure)(MouthRuler& ruler);
-};
-
-// Lips shut, lip to teeth, teeth and tongue seen, and the opening of round lips: limits of this
-// project's requirements for a face to be lipread. The 0.5 mm at the ridge, the blade's widths
-// (those of T D N and of L lie 1.5 mm apart) and the 38 mm of round lips were chosen by us.
 constexpr double kAny = std::numeric_limits<double>::infinity();
-
-constexpr std::array kRequirements{
-    Requirement{"P B M",
-                "lips shut: widest gap along the slit at most 0.05 mm",
-                Control::LipClosure,
-                1,
-                0,
-                0.05,
-                [](MouthRuler& ruler) { return ruler.lips().largest_gap_mm; }},
-    Requirement{"F V",
-                "lower lip to upper incisors -0.2 to 0.3 mm",
-                Control::LowerLipTuck,
-                1,
-                -kMostPenetration,
-                0.3,
-                [](MouthRuler& ruler) { return ruler.lip_to_incisors_mm(); }},
-    Requirement{"F V",
-                "upper teeth seen: at least 5 mm2",
-                Control::LowerLipTuck,
-                1,
-                5,
-                kAny,
-                [](MouthRuler& ruler) { return ruler.seen().upper_teeth_mm2; }},
-    Requirement{"TH DH",
-                "tongue seen between the teeth: at least 4 mm2",
-                Control::TongueLength,
-                1,
-                4,
-                kAny,
-                [](MouthRuler& ruler) { return ruler.seen().tongue_between_teeth_mm2; }},
-    Requirement{"T D N L",
-                "tongue at the alveolar ridge: at most 0.5 mm from it",
-                Control::TongueTip,
-                1,
-                -kMostPenetration,
-                0.5,
-                [](MouthRuler& ruler) { return ruler.tongue().to_ridge_mm; }},
-    Requirement{"T D N",
-                "blade wide: at most 3.5 mm between its sides and the upper gum",
-                Control::TongueTip,
-                1,
-                -kMostPenetration,
-                3.5,
-                [](MouthRuler& ruler) { return ruler.tongue().beside_mm; }},
-    Requirement{"L",
-                "blade narrow: at least 4.2 mm between its sides and the upper gum",
-                Control::TongueTip,
-                1,
-                4.2,
-                kAny,
-                [](MouthRuler& ruler) { return ruler.tongue().beside_mm; }},
-    Requirement{"W WH UW",
-                "lips round: opening 1 to 3 mm high",
-                Control::LipWidth,
-                -1,
-                1,
-                3,
-                [](MouthRuler& ruler) { return ruler.lips().inner_height_mm; }},
-    Requirement{"W WH UW",
-                "lips round: at most 38 mm from corner to corner (rest 51.5)",
-                Control::LipWidth,
-                -1,
-                0,
-                38,
-                [](MouthRuler& ruler) { return ruler.lips().outer_width_mm; }},
-};
-
-bool concerns(const Requirement& requirement, Phone phone) {
-  const auto name = symbol(phone);
-  std::string_view rest = requirement.sounds;
-  while (!rest.empty()) {
-    const auto end = std::min(rest.find(' '), rest.size());
-    if (rest.substr(0, end) == name) return true;
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return false;
-}
-
-double distance_to(const Requirement& requirement, double measure) {
-  return std::max({0.0, requirement.least - measure, measure - requirement.most});
-}
-
-/// How far inside its limits a measure lies; negative: outside. Limits that no sound can miss in
-/// one direction do not count.
-double margin(const Requirement& requirement, double measure) {
-  const double above = requirement.least == 0 ? kAny : measure - requirement.least;
-  return std::min(above, requirement.most - measure);
-}
 
 struct Syllable {
   std::array<Segment, 3> sounds;
@@ -133,7 +31,7 @@ struct Syllable {
 class Looking {
  public:
   Looking(const Head& head, const SegmentTable& table) : table_{table}, ruler_{head} {
-    for (const auto& requirement : kRequirements) {
+    for (const auto& requirement : contact_requirements()) {
       rows_.push_back({.sounds = std::string{requirement.sounds},
                        .requirement = std::string{requirement.words}});
     }
@@ -144,8 +42,8 @@ class Looking {
     const auto segments = at_rate(timed(syllable.sounds), syllable.rate);
     const Articulation articulation{segments, table_};
     for (std::size_t place = 1; place <= syllable.sounds.size(); ++place) {
-      for (std::size_t r = 0; r < kRequirements.size(); ++r) {
-        if (!concerns(kRequirements.at(r), segments[place].segment.from)) continue;
+      for (std::size_t r = 0; r < contact_requirements().size(); ++r) {
+        if (!concerns(contact_requirements()[r], segments[place].segment.from)) continue;
         for (const double phase : {0.0, 0.5}) {
           look_at(r, articulation, segments[place], phase, syllable);
         }
@@ -182,7 +80,7 @@ class Looking {
                const TimedSegment& timed,
                double phase,
                const Syllable& syllable) {
-    const auto& requirement = kRequirements.at(r);
+    const auto& requirement = contact_requirements()[r];
     std::vector<Pose> poses;
     const double first = std::ceil((timed.start - kAround) / kPicture - phase);
     for (double picture = first; (picture + phase) * kPicture < timed.end() + kAround; ++picture) {
@@ -273,7 +171,7 @@ ContactTable measure_contacts(const Head& head,
                               const ContactScope& scope) {
   const auto all = syllables(scope);
   ContactTable result;
-  for (const auto& requirement : kRequirements) {
+  for (const auto& requirement : contact_requirements()) {
     result.rows.push_back(
         {.sounds = std::string{requirement.sounds}, .requirement = std::string{requirement.words}});
   }

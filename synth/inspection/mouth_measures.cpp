@@ -8,8 +8,8 @@
 #include "synth/face/jaw.hpp"
 #include "synth/face/palate.hpp"
 #include "synth/face/surface_tree.hpp"
+#include "synth/inspection/firm_part.hpp"
 #include "synth/inspection/front_view.hpp"
-#include "synth/inspection/outside_cells.hpp"
 
 namespace bimodal::synth {
 
@@ -30,7 +30,6 @@ constexpr double kRidgeDepth = 9.0;       // mm behind the incisors' necks
 constexpr double kRidgeHalfWidth = 7.0;   // mm
 constexpr float kLip = 0.5F;              // of the lip mask: from the vermilion border inward
 constexpr float kLowerLip = 0.9F;         // of its mask
-constexpr float kDeepest = 6.0F;          // mm; nothing lies deeper in anything
 constexpr float kMidTongue = 9.0F;        // mm either side of the midline
 constexpr float kRootEnds = 50.0F;        // z; behind it the root grows out of the floor
 constexpr float kMouthSkin = 0.3F;        // of the lip mask: what may meet the teeth
@@ -55,7 +54,7 @@ std::vector<std::uint32_t> where(const SurfaceDescription& surface, auto&& holds
 
 /// How far to look for something nearer than `nearest`, which may lie inside: then deeper counts.
 float worth_looking(float nearest) {
-  return std::max(nearest, kDeepest);
+  return std::max(nearest, FirmPart::kDeepest);
 }
 
 /// Calls visit(point) at the corners and in the middle of every triangle.
@@ -98,36 +97,6 @@ bool under_palate(const glm::vec3& point) {
   return z > kPalateBack && z < kPalateFront &&
          static_cast<double>(std::abs(point.x)) < palate_half_width(z) - 0.5;
 }
-
-/// A closed part that keeps its form, in the frame in which it rests.
-class FirmPart {
- public:
-  FirmPart(std::span<const glm::vec3> positions, std::span<const std::uint32_t> triangles)
-      : tree{positions, triangles}, outside_{tree, least(positions), most(positions)} {}
-
-  /// mm by which a point lies inside, at most kDeepest; 0 outside.
-  [[nodiscard]] float depth(const glm::vec3& point) const {
-    if (outside_.surely_hold(point)) return 0.0F;
-    return std::max(0.0F, -tree.signed_distance(point, kDeepest));
-  }
-
-  SurfaceTree tree;
-
- private:
-  static glm::vec3 least(std::span<const glm::vec3> positions) {
-    glm::vec3 corner = positions.front();
-    for (const auto& point : positions) corner = glm::min(corner, point);
-    return corner;
-  }
-
-  static glm::vec3 most(std::span<const glm::vec3> positions) {
-    glm::vec3 corner = positions.front();
-    for (const auto& point : positions) corner = glm::max(corner, point);
-    return corner;
-  }
-
-  OutsideCells outside_;
-};
 
 }  // namespace
 
@@ -220,7 +189,7 @@ double MouthRuler::lip_to_incisors_mm() const {
                   [&](const glm::vec3& point) {
                     if (std::abs(point.x) > kIncisorsHalfWidth) return;
                     nearest = std::min(nearest,
-                                       tools_->upper_teeth.tree.signed_distance(
+                                       tools_->upper_teeth.tree().signed_distance(
                                            tools_->frames.upper(point), worth_looking(nearest)));
                   });
   return static_cast<double>(nearest);
@@ -283,19 +252,20 @@ Penetrations MouthRuler::penetrations() const {
   float tongue_in_teeth = 0;
   float in_palate = 0;
   float in_flesh = 0;
-  for_each_sample(tools_->posed.at(HeadSurface::Tongue).positions,
-                  tools_->description(HeadSurface::Tongue).triangles,
-                  [&](const glm::vec3& point) {
-                    tongue_in_teeth = std::max(tongue_in_teeth, in_teeth(point));
-                    const auto at = frames.upper(point);
-                    if (under_palate(at)) {
-                      in_palate = std::min(in_palate, tools_->palate.signed_distance(at, kDeepest));
-                    }
-                    const bool is_side = std::abs(point.x) > kMidTongue;
-                    if (is_side && point.z > kRootEnds) {
-                      in_flesh = std::min(in_flesh, flesh.signed_distance(point, kDeepest));
-                    }
-                  });
+  for_each_sample(
+      tools_->posed.at(HeadSurface::Tongue).positions,
+      tools_->description(HeadSurface::Tongue).triangles,
+      [&](const glm::vec3& point) {
+        tongue_in_teeth = std::max(tongue_in_teeth, in_teeth(point));
+        const auto at = frames.upper(point);
+        if (under_palate(at)) {
+          in_palate = std::min(in_palate, tools_->palate.signed_distance(at, FirmPart::kDeepest));
+        }
+        const bool is_side = std::abs(point.x) > kMidTongue;
+        if (is_side && point.z > kRootEnds) {
+          in_flesh = std::min(in_flesh, flesh.signed_distance(point, FirmPart::kDeepest));
+        }
+      });
   return {.lip_in_lip = std::max(0.0, -tools_->posed.lips.smallest_gap_mm),
           .flesh_in_teeth = static_cast<double>(flesh_in_teeth),
           .tongue_in_teeth = static_cast<double>(tongue_in_teeth),
