@@ -1,9 +1,13 @@
 #include "synth/inspection/contact_table.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/digest.hpp"
+#include "synth/speech/articulation.hpp"
+#include "synth/speech/durations.hpp"
 #include "tests/synth/face/the_head.hpp"
 
 namespace bimodal::synth {
@@ -20,6 +24,22 @@ TEST(ContactTable, OfTheEnglishInventoryMeetsEveryRequirement) {
   }
   EXPECT_LE(contacts.deepest.worst(), 0.2) << contacts.deepest_case;
   EXPECT_EQ(contacts.pictures, 25U * 6U);
+}
+
+// Where the teeth open least and the tongue has least time: what the sample above does not hold.
+TEST(ContactTable, HoldsForTheTongueBetweenTeethBesideUwInFastSpeech) {
+  const SegmentTable table{asset("synth/assets/segments/english.json")};
+  const auto fast = [&](const char* sounds) {
+    return Articulation{at_rate(typed_segments(sounds), 2.0), table}.sample(Hertz{60});
+  };
+  MouthRuler ruler{the_head()};
+  for (const auto* const sounds : {"ZH UW DH", "P UW DH", "WH UW TH"}) {
+    double most = 0;
+    for (const auto& pose : fast(sounds)) {
+      most = std::max(most, ruler.measure(pose).seen.tongue_between_teeth_mm2);
+    }
+    EXPECT_GE(most, 4) << sounds;
+  }
 }
 
 TEST(ContactTable, FindsLipsThatDoNotShut) {
