@@ -166,10 +166,8 @@ SurfaceRenderer::Stage::Stage(std::span<const SurfaceDescription> surfaces,
   backdrop_.use();
   backdrop_.set("centre_colour", linear(backdrop.centre));
   backdrop_.set("edge_colour", linear(backdrop.edge));
-  if (!points_) {  // which stand before it where no part of the head does
-    target.begin_ground();
-    draw_backdrop();
-  }
+  target.begin_ground();
+  draw_backdrop();
   check_for_errors("prepare the head for drawing");
 }
 
@@ -236,7 +234,6 @@ void SurfaceRenderer::Stage::draw_head(const PosedHead& posed, const glm::mat3& 
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     draw_opaque(mouth_is_open);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    draw_backdrop();
     points_->draw(posed);
   } else if (appearance_.skin_transparency > 0.0) {
     draw_parts(kMouth);

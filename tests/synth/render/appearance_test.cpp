@@ -146,6 +146,18 @@ TEST_F(DrawnAppearance, OfPointsIsDarkButForTheSpots) {
   }
 }
 
+// The head hides the points behind it, and else is as if it were not there.
+TEST_F(DrawnAppearance, OfPointsStandsOnABackdropOfAnyColour) {
+  Appearance spots;
+  spots.materials = Materials::named("point-light");
+  spots.points = Points::Sparse;
+  const Colour grey{99, 99, 99};
+  View view = close_view();
+  view.backdrop = Backdrop{.centre = grey, .edge = grey};
+  const Image image = drawn(open_mouth(), view, spots);
+  EXPECT_GT(count_of(image, {99, 99, 99}), 160 * 160 - 2000);
+}
+
 TEST(PartNames, EachStandForSomePart) {
   PartSet named;
   for (const auto name : part_names()) {
