@@ -65,8 +65,25 @@ synth::Control control_called(std::string_view name) {
                                : fmt::format("there are {}; ", fmt::join(names, ", ")))};
 }
 
-AskedPose read_controls(const std::vector<std::string>& settings) {
-  AskedPose asked{.pose = synth::neutral_pose(), .remarks = {}};
+AskedPose possible(const synth::Pose& wanted) {
+  AskedPose asked{.pose = synth::within_range(wanted), .remarks = {}};
+  for (const auto& row : synth::controls()) {
+    const double drawn = synth::value(asked.pose, row.control);
+    const double value = synth::value(wanted, row.control);
+    if (drawn == value) continue;
+    asked.remarks.push_back(fmt::format("{} {:g} is outside {:g} to {:g} {}; drawn at {:g}",
+                                        row.name,
+                                        value,
+                                        row.lowest,
+                                        row.highest,
+                                        row.unit,
+                                        drawn));
+  }
+  return asked;
+}
+
+synth::Pose read_controls(const std::vector<std::string>& settings) {
+  synth::Pose pose = synth::neutral_pose();
   std::set<synth::Control> set;
   for (const std::string_view setting : settings) {
     const auto equals = setting.find('=');
@@ -80,18 +97,9 @@ AskedPose read_controls(const std::vector<std::string>& settings) {
     if (!set.insert(control).second) {
       throw Error{fmt::format("--controls: {} is set twice; keep one of them", row.name)};
     }
-    const double possible = std::clamp(wanted, row.lowest, row.highest);
-    synth::value(asked.pose, control) = possible;
-    if (possible == wanted) continue;
-    asked.remarks.push_back(fmt::format("{} {:g} is outside {:g} to {:g} {}; drawn at {:g}",
-                                        row.name,
-                                        wanted,
-                                        row.lowest,
-                                        row.highest,
-                                        row.unit,
-                                        possible));
+    synth::value(pose, control) = wanted;
   }
-  return asked;
+  return pose;
 }
 
 }  // namespace bimodal::runner

@@ -99,9 +99,9 @@ ExitCode face(const FaceOptions& options) {
   if (options.output.empty() && !options.measure) {
     throw Error{"nothing to do; give -o FILE.png, --measure, or --list for the controls"};
   }
-  const auto asked = read_controls(options.controls);
-  for (const auto& remark : asked.remarks) fmt::print(stderr, "bimodal: {}\n", remark);
-  const auto pose = synth::with_expressions(asked.pose, read_expressions(options.expressions));
+  const auto [pose, remarks] = possible(synth::with_expressions(
+      read_controls(options.controls), read_expressions(options.expressions)));
+  for (const auto& remark : remarks) fmt::print(stderr, "bimodal: {}\n", remark);
   const synth::Head head{asset("synth/assets/head")};
   if (options.measure) print_measures(head, pose);
   if (options.output.empty()) return ExitCode::Done;

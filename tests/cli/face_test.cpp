@@ -71,6 +71,9 @@ TEST_F(FaceVerb, TakesTheEndOfARangeAndSaysSo) {
   EXPECT_THAT(
       drawn({"--controls", "jaw=40"}),
       ended(ExitCode::Done, HasSubstr("bimodal: jaw 40 is outside 0 to 22 deg; drawn at 22")));
+  EXPECT_THAT(
+      drawn({"--expression", "surprise=1,fear=1"}),
+      ended(ExitCode::Done, HasSubstr("bimodal: brow_raise 12 is outside -4 to 9 mm; drawn at 9")));
 }
 
 TEST_F(FaceVerb, RefusesControlsThatCannotBeMeant) {
