@@ -25,6 +25,16 @@ struct FaceDrawingRecord {
   std::string renderer;  ///< the OpenGL that drew it
 };
 
+/// What the session's timing rests on.
+struct TimingRecord {
+  std::string verdict;      ///< of the gate at start-up: "good", "usable", "not_for_timing"
+  std::string gate;         ///< what it found, as JSON
+  std::string calibration;  ///< by instruments, as JSON; empty: none
+  /// To which line of the screen visual onsets refer: "first", "mouth", "calibrated".
+  std::string visual_line;
+  Duration visual_line_after{};  ///< of that line after the first one
+};
+
 /// One run of one protocol with one participant.
 struct SessionRecord {
   std::int64_t id = 0;  ///< given by the store
@@ -50,6 +60,8 @@ struct SessionRecord {
   int refresh_count = 0;         ///< number of periods measured
   /// Absent: no synthetic face was drawn (also in rehearsals), or files of versions below 4.
   std::optional<FaceDrawingRecord> face;
+  std::optional<TimingRecord> timing;  ///< absent: rehearsals, and files of versions below 6
+  std::string keyboard_description;    ///< what answers came from, and how their instants are found
 };
 
 /// One trial as planned; all of a session's plan is stored before its first trial.
@@ -68,6 +80,7 @@ struct PlanRecord {
   std::optional<std::string> visual_talker;
   std::optional<double> snr_db;
   std::uint64_t noise_seed = 0;
+  std::optional<int> repeats;  ///< the trial whose timing was not as planned and that this repeats
 };
 
 /// One onset, planned and reported on the session clock.
@@ -112,10 +125,39 @@ struct RefreshRecord {
   std::vector<Duration> shown;    ///< session clock, by the display's time source
 };
 
+/// How a device's clock lay on the session clock in a trial: device instant `device_at` was session
+/// instant `at`, and each unit later is so much later.
+struct ClockMapRecord {
+  std::string clock;                ///< "display" (unit: a refresh), "sound" (unit: a sample)
+  std::string source;               ///< what its readings rest on, as in OnsetRecord
+  Duration at{};                    ///< session clock
+  std::int64_t device_at = 0;       ///< refresh or sample of the stream, counted from its start
+  double nanoseconds_per_unit = 0;  ///< on the session clock
+  std::optional<double> drift_ppm;  ///< against the nominal rate; absent: it has none
+  Duration residual{};              ///< standard deviation of the readings about the line
+  std::int64_t readings = 0;
+  std::int64_t rejected = 0;  ///< of them, outliers
+  int jumps = 0;              ///< since the session began
+};
+
+/// A signal for other equipment.
+struct TriggerRecord {
+  std::string kind;         ///< "photodiode", "click", "serial", "socket"
+  std::string event;        ///< what it stands for: "visual_zero", "auditory_zero", ...
+  std::optional<int> code;  ///< the byte sent; absent: it carries none
+  Duration planned{};
+  std::optional<Duration> sent;         ///< absent: it was not
+  std::optional<Duration> uncertainty;  ///< it left at most so long before `sent`
+  std::string source;                   ///< of that instant
+};
+
 struct KeystrokeRecord {
   Duration at{};
-  std::string source;  ///< "poll" (noticed when polled), "event", "simulated"
+  std::string source;  ///< "poll" (noticed when polled), "evdev", "compositor", ..., "simulated"
   std::string key;     ///< the text typed, or "Backspace", "Enter"
+  std::optional<Duration> uncertainty{};  ///< it happened at most so long before `at`
+  std::optional<double> x{};              ///< of a pointer, as parts of the window
+  std::optional<double> y{};
 };
 
 struct ResponseRecord {
@@ -123,6 +165,11 @@ struct ResponseRecord {
   Duration submitted{};               ///< session clock
   std::optional<Duration> first_key;  ///< session clock
   bool timed_out = false;
+  /// From where reaction time counts: "sound_onset", "visual_onset", "end"; empty: files of
+  /// versions below 6 (from the planned end).
+  std::string reference;
+  std::optional<Duration> reference_at;  ///< session clock
+  std::optional<Duration> uncertainty;   ///< of `submitted`: it happened at most so long before
 };
 
 struct EventRecord {
@@ -143,7 +190,10 @@ struct TrialRecord {
   ResponseRecord response;
   std::vector<KeystrokeRecord> keystrokes;
   std::vector<EventRecord> events;
-  bool flagged = false;  ///< timing was not as planned (late frames, underflow)
+  std::vector<ClockMapRecord> clock_maps;
+  std::vector<TriggerRecord> triggers;
+  bool flagged = false;   ///< timing was not as planned (late frames, underflow)
+  bool excluded = false;  ///< and by the protocol's rule it is not to be analysed
 };
 
 }  // namespace bimodal::runner

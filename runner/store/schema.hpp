@@ -9,7 +9,7 @@ inline constexpr int kApplicationId = 0x62696d6f;
 
 /// `PRAGMA user_version`: raised with every change of the tables; older programs refuse newer
 /// files.
-inline constexpr int kSchemaVersion = 5;
+inline constexpr int kSchemaVersion = 6;
 
 /// The tables of version 1; explained column by column in SCHEMA.md.
 inline constexpr const char* kVersion1 = R"sql(
@@ -196,8 +196,70 @@ CREATE VIEW answers AS
   FROM trial t JOIN plan p USING (session, trial) JOIN session s USING (session);
 )sql";
 
+/// From version 5 to 6: what the timing rests on, triggers, repeated trials, pointers.
+inline constexpr const char* kVersion6 = R"sql(
+ALTER TABLE session ADD COLUMN timing_verdict TEXT
+  CHECK (timing_verdict IN ('good', 'usable', 'not_for_timing'));
+ALTER TABLE session ADD COLUMN timing_gate TEXT;
+ALTER TABLE session ADD COLUMN timing_calibration TEXT;
+ALTER TABLE session ADD COLUMN keyboard_description TEXT NOT NULL DEFAULT '';
+ALTER TABLE session ADD COLUMN visual_line TEXT
+  CHECK (visual_line IN ('first', 'mouth', 'calibrated'));
+ALTER TABLE session ADD COLUMN visual_line_ns INTEGER;
+ALTER TABLE plan ADD COLUMN repeats INTEGER;
+ALTER TABLE trial ADD COLUMN excluded INTEGER NOT NULL DEFAULT 0 CHECK (excluded IN (0, 1));
+ALTER TABLE trial ADD COLUMN rt_reference TEXT;
+ALTER TABLE trial ADD COLUMN rt_reference_ns INTEGER;
+ALTER TABLE trial ADD COLUMN rt_uncertainty_ns INTEGER;
+ALTER TABLE keystroke ADD COLUMN uncertainty_ns INTEGER;
+ALTER TABLE keystroke ADD COLUMN x REAL;
+ALTER TABLE keystroke ADD COLUMN y REAL;
+
+CREATE TABLE clock_map (
+  session        INTEGER NOT NULL,
+  trial          INTEGER NOT NULL,
+  clock          TEXT NOT NULL CHECK (clock IN ('display', 'sound')),
+  source         TEXT NOT NULL,
+  at_ns          INTEGER NOT NULL,
+  device_at      INTEGER NOT NULL,
+  ns_per_unit    REAL NOT NULL,
+  drift_ppm      REAL,
+  residual_ns    INTEGER NOT NULL,
+  readings       INTEGER NOT NULL,
+  rejected       INTEGER NOT NULL,
+  jumps          INTEGER NOT NULL,
+  PRIMARY KEY (session, trial, clock),
+  FOREIGN KEY (session, trial) REFERENCES trial (session, trial)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE trigger (
+  session        INTEGER NOT NULL,
+  trial          INTEGER NOT NULL,
+  ordinal        INTEGER NOT NULL,
+  kind           TEXT NOT NULL CHECK (kind IN ('photodiode', 'click', 'serial', 'socket')),
+  event          TEXT NOT NULL,
+  code           INTEGER,
+  planned_ns     INTEGER NOT NULL,
+  sent_ns        INTEGER,
+  uncertainty_ns INTEGER,
+  source         TEXT NOT NULL,
+  PRIMARY KEY (session, trial, ordinal),
+  FOREIGN KEY (session, trial) REFERENCES trial (session, trial)
+) STRICT, WITHOUT ROWID;
+
+DROP VIEW answers;
+CREATE VIEW answers AS
+  SELECT s.participant, s.session, p.trial, p.phase, p.block, p.condition, p.auditory_talker,
+         p.visual_talker, p.snr_db, p.word, p.phones, t.response, t.timed_out, t.flagged,
+         (t.submitted_ns - coalesce(t.rt_reference_ns, t.stimulus_end_ns)) / 1e6 AS rt_ms,
+         s.simulated_answers, s.simulated_time, p.visual_word, p.articulation, p.face,
+         t.excluded, p.repeats, t.rt_reference, t.rt_uncertainty_ns / 1e6 AS rt_uncertainty_ms,
+         s.timing_verdict
+  FROM trial t JOIN plan p USING (session, trial) JOIN session s USING (session);
+)sql";
+
 /// What makes each version of the one before it, from version 1 on.
 inline constexpr std::array<const char*, kSchemaVersion> kSchemaSteps{
-    kVersion1, kVersion2, kVersion3, kVersion4, kVersion5};
+    kVersion1, kVersion2, kVersion3, kVersion4, kVersion5, kVersion6};
 
 }  // namespace bimodal::runner

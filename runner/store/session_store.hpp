@@ -25,6 +25,9 @@ class SessionStore {
 
   virtual void add(std::int64_t session, const TrialRecord& trial) = 0;
 
+  /// A trial that was not planned before the session: it repeats one of the plan.
+  virtual void add(std::int64_t session, const PlanRecord& planned) = 0;
+
   /// An event outside any trial.
   virtual void add(std::int64_t session, const EventRecord& event) = 0;
 

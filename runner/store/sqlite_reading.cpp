@@ -77,6 +77,14 @@ StoredSession session_from(const Statement& row) {
                                      .full_picture = optional_duration(row, 28),
                                      .renderer = row.text(29)};
   }
+  if (!row.is_null(30)) {
+    session.timing = TimingRecord{.verdict = row.text(30),
+                                  .gate = row.text(31),
+                                  .calibration = row.text(32),
+                                  .visual_line = row.text(33),
+                                  .visual_line_after = row.duration(34)};
+  }
+  session.keyboard_description = row.text(35);
   return stored;
 }
 
@@ -96,6 +104,7 @@ StoredTrial trial_from(const Statement& row, Detail detail) {
   plan.visual_word = optional_text(row, 21);
   plan.articulation = optional_text(row, 23);
   plan.face = optional_text(row, 24);
+  if (!row.is_null(25)) plan.repeats = static_cast<int>(row.integer(25));
   auto& trial = stored.trial;
   trial.trial = plan.trial;
   trial.stimulus_start = row.duration(11);
@@ -105,6 +114,10 @@ StoredTrial trial_from(const Statement& row, Detail detail) {
   trial.response.submitted = row.duration(15);
   trial.response.first_key = optional_duration(row, 16);
   trial.response.timed_out = row.integer(17) != 0;
+  trial.excluded = row.integer(26) != 0;
+  trial.response.reference = row.text(27);
+  trial.response.reference_at = optional_duration(row, 28);
+  trial.response.uncertainty = optional_duration(row, 29);
   if (detail == Detail::Everything) {
     trial.refreshes.frame = numbers_from(row.text(18));
     trial.refreshes.planned = instants_from(row.text(19), trial.stimulus_start);
@@ -158,13 +171,54 @@ void read_recordings(Database& database, const TrialsById& trials) {
   }
 }
 
-void read_keystrokes(Database& database, const TrialsById& trials) {
-  Statement row{
-      database,
-      "SELECT session, trial, at_ns, source, key FROM keystroke ORDER BY session, trial, ordinal"};
+void read_keystrokes(Database& database, const TrialsById& trials, bool has_timing) {
+  Statement row{database,
+                std::string{"SELECT session, trial, at_ns, source, key, "} +
+                    (has_timing ? "uncertainty_ns, x, y" : "NULL, NULL, NULL") +
+                    " FROM keystroke ORDER BY session, trial, ordinal"};
   while (row.step()) {
     trials.at({row.integer(0), row.integer(1)})
-        ->keystrokes.push_back({row.duration(2), row.text(3), row.text(4)});
+        ->keystrokes.push_back({.at = row.duration(2),
+                                .source = row.text(3),
+                                .key = row.text(4),
+                                .uncertainty = optional_duration(row, 5),
+                                .x = optional_real(row, 6),
+                                .y = optional_real(row, 7)});
+  }
+}
+
+void read_clock_maps(Database& database, const TrialsById& trials) {
+  Statement row{database,
+                "SELECT session, trial, clock, source, at_ns, device_at, ns_per_unit, drift_ppm,"
+                " residual_ns, readings, rejected, jumps FROM clock_map"};
+  while (row.step()) {
+    trials.at({row.integer(0), row.integer(1)})
+        ->clock_maps.push_back({.clock = row.text(2),
+                                .source = row.text(3),
+                                .at = row.duration(4),
+                                .device_at = row.integer(5),
+                                .nanoseconds_per_unit = row.real(6),
+                                .drift_ppm = optional_real(row, 7),
+                                .residual = row.duration(8),
+                                .readings = row.integer(9),
+                                .rejected = row.integer(10),
+                                .jumps = static_cast<int>(row.integer(11))});
+  }
+}
+
+void read_triggers(Database& database, const TrialsById& trials) {
+  Statement row{database,
+                "SELECT session, trial, kind, event, code, planned_ns, sent_ns, uncertainty_ns,"
+                " source FROM trigger ORDER BY session, trial, ordinal"};
+  while (row.step()) {
+    TriggerRecord trigger{.kind = row.text(2),
+                          .event = row.text(3),
+                          .planned = row.duration(5),
+                          .sent = optional_duration(row, 6),
+                          .uncertainty = optional_duration(row, 7),
+                          .source = row.text(8)};
+    if (!row.is_null(4)) trigger.code = static_cast<int>(row.integer(4));
+    trials.at({row.integer(0), row.integer(1)})->triggers.push_back(std::move(trigger));
   }
 }
 
@@ -187,6 +241,7 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
   const bool has_articulations = version >= 3;
   const bool has_faces = version >= 4;
   const bool has_looks = version >= 5;
+  const bool has_timing = version >= 6;
 
   std::vector<StoredSession> sessions;
   std::map<std::int64_t, std::size_t> position;
@@ -204,6 +259,9 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
           std::string{has_faces ? "face_quality, face_quality_basis, face_full_picture_ns, "
                                   "face_renderer"
                                 : "NULL, NULL, NULL, NULL"} +
+          (has_timing ? ", timing_verdict, timing_gate, timing_calibration, visual_line, "
+                        "visual_line_ns, keyboard_description"
+                      : ", NULL, NULL, NULL, NULL, NULL, ''") +
           " FROM session JOIN protocol ON sha256 = protocol_sha256 ORDER BY session"};
   while (session_row.step()) {
     position[session_row.integer(0)] = sessions.size();
@@ -219,7 +277,10 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
           std::string{has_recordings ? "visual_word, refresh_source_frame" : "NULL, NULL"} +
           std::string{has_articulations ? ", articulation" : ", NULL"} +
           std::string{has_looks ? ", face" : ", NULL"} +
-          " FROM trial JOIN plan USING (session, trial) ORDER BY session, trial"};
+          (has_timing ? ", repeats, excluded, rt_reference, rt_reference_ns, rt_uncertainty_ns"
+                      : ", NULL, 0, '', NULL, NULL") +
+          " FROM trial JOIN plan USING (session, trial)"
+          " ORDER BY session, stimulus_start_ns, trial"};
   while (trial_row.step()) {
     sessions.at(position.at(trial_row.integer(0))).trials.push_back(trial_from(trial_row, detail));
   }
@@ -234,7 +295,9 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
   read_onsets(database, trials);
   read_sounds(database, trials);
   if (has_recordings) read_recordings(database, trials);
-  read_keystrokes(database, trials);
+  read_keystrokes(database, trials, has_timing);
+  if (has_timing) read_clock_maps(database, trials);
+  if (has_timing) read_triggers(database, trials);
   read_events(database, trials);
   return sessions;
 }

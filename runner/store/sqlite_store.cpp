@@ -70,10 +70,22 @@ class SqliteStore final : public SessionStore {
           .bind(stroke.at)
           .bind(stroke.source)
           .bind(stroke.key)
+          .bind(stroke.uncertainty)
+          .bind(stroke.x)
+          .bind(stroke.y)
           .run();
+    }
+    for (const auto& map : trial.clock_maps) insert_clock_map(session, trial.trial, map);
+    int signal = 0;
+    for (const auto& trigger : trial.triggers) {
+      insert_trigger(session, trial.trial, signal++, trigger);
     }
     for (const auto& event : trial.events) insert_event(session, trial.trial, event);
     transaction.commit();
+  }
+
+  void add(std::int64_t session, const PlanRecord& planned) override {
+    insert_plan(session, planned);
   }
 
   void add(std::int64_t session, const EventRecord& event) override {
@@ -101,6 +113,7 @@ class SqliteStore final : public SessionStore {
       full_picture = session.face->full_picture;
       renderer = session.face->renderer;
     }
+    const auto& timing = session.timing;
     insert_session_.reset()
         .bind(session.participant)
         .bind(session.participant_number)
@@ -126,6 +139,13 @@ class SqliteStore final : public SessionStore {
         .bind(basis)
         .bind(full_picture)
         .bind(renderer)
+        .bind(timing ? std::optional{timing->verdict} : std::nullopt)
+        .bind(timing ? std::optional{timing->gate} : std::nullopt)
+        .bind(timing && !timing->calibration.empty() ? std::optional{timing->calibration}
+                                                     : std::nullopt)
+        .bind(session.keyboard_description)
+        .bind(timing ? std::optional{timing->visual_line} : std::nullopt)
+        .bind(timing ? std::optional{timing->visual_line_after} : std::nullopt)
         .run();
   }
 
@@ -145,6 +165,7 @@ class SqliteStore final : public SessionStore {
         .bind(planned.visual_word)
         .bind(planned.articulation)
         .bind(planned.face)
+        .bind(planned.repeats)
         .run();
   }
 
@@ -163,6 +184,43 @@ class SqliteStore final : public SessionStore {
         .bind(as_json(trial.refreshes.planned, trial.stimulus_start))
         .bind(as_json(trial.refreshes.shown, trial.stimulus_start))
         .bind(source_frames(trial.refreshes))
+        .bind(trial.excluded)
+        .bind(trial.response.reference.empty() ? std::nullopt
+                                               : std::optional{trial.response.reference})
+        .bind(trial.response.reference_at)
+        .bind(trial.response.uncertainty)
+        .run();
+  }
+
+  void insert_clock_map(std::int64_t session, int trial, const ClockMapRecord& map) {
+    insert_clock_map_.reset()
+        .bind(session)
+        .bind(trial)
+        .bind(map.clock)
+        .bind(map.source)
+        .bind(map.at)
+        .bind(map.device_at)
+        .bind(map.nanoseconds_per_unit)
+        .bind(map.drift_ppm)
+        .bind(map.residual)
+        .bind(map.readings)
+        .bind(map.rejected)
+        .bind(map.jumps)
+        .run();
+  }
+
+  void insert_trigger(std::int64_t session, int trial, int ordinal, const TriggerRecord& trigger) {
+    insert_trigger_.reset()
+        .bind(session)
+        .bind(trial)
+        .bind(ordinal)
+        .bind(trigger.kind)
+        .bind(trigger.event)
+        .bind(trigger.code)
+        .bind(trigger.planned)
+        .bind(trigger.sent)
+        .bind(trigger.uncertainty)
+        .bind(trigger.source)
         .run();
   }
 
@@ -219,17 +277,21 @@ class SqliteStore final : public SessionStore {
   Statement insert_session_{database_,
                             "INSERT INTO session VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, NULL, "
                             "NULL, ?, ?, ?, ?, ?, ?, "
-                            "?, ?, ?, ?, ?, ?, ?, ?)"};
+                            "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_plan_{database_,
-                         "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
-  Statement insert_trial_{database_,
-                          "INSERT INTO trial VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+                         "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  Statement insert_trial_{
+      database_, "INSERT INTO trial VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_recording_{database_,
                               "INSERT INTO recording VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_onset_{database_, "INSERT INTO onset VALUES (?, ?, ?, ?, ?, ?)"};
   Statement insert_sound_{database_,
                           "INSERT INTO sound VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
-  Statement insert_keystroke_{database_, "INSERT INTO keystroke VALUES (?, ?, ?, ?, ?, ?)"};
+  Statement insert_keystroke_{database_,
+                              "INSERT INTO keystroke VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  Statement insert_clock_map_{database_,
+                              "INSERT INTO clock_map VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+  Statement insert_trigger_{database_, "INSERT INTO trigger VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_event_{database_, "INSERT INTO event VALUES (NULL, ?, ?, ?, ?, ?)"};
   Statement end_session_{database_,
                          "UPDATE session SET outcome = ?, ended_utc = ? WHERE session = ?"};

@@ -20,6 +20,11 @@ std::future<void> StoreWriter::add(std::int64_t session, TrialRecord trial) {
       [this, session, trial = std::move(trial)] { store_.add(session, trial); }});
 }
 
+std::future<void> StoreWriter::add(std::int64_t session, PlanRecord planned) {
+  return enqueue(std::packaged_task<void()>{
+      [this, session, planned = std::move(planned)] { store_.add(session, planned); }});
+}
+
 std::future<void> StoreWriter::add(std::int64_t session, EventRecord event) {
   return enqueue(std::packaged_task<void()>{
       [this, session, event = std::move(event)] { store_.add(session, event); }});

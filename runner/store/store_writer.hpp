@@ -26,6 +26,7 @@ class StoreWriter {
 
   /// The future holds the StoreError if the transaction failed.
   [[nodiscard]] std::future<void> add(std::int64_t session, TrialRecord trial);
+  [[nodiscard]] std::future<void> add(std::int64_t session, PlanRecord planned);
   [[nodiscard]] std::future<void> add(std::int64_t session, EventRecord event);
 
  private:

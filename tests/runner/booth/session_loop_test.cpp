@@ -87,6 +87,10 @@ class MemoryStore final : public SessionStore {
     trials.push_back(trial);
   }
 
+  void add(std::int64_t /*session*/, const PlanRecord& planned) override {
+    more.push_back(planned);
+  }
+
   void add(std::int64_t /*session*/, const EventRecord& event) override { events.push_back(event); }
 
   void end(std::int64_t /*session*/, std::string_view /*how*/, std::string_view /*when*/) override {
@@ -94,6 +98,7 @@ class MemoryStore final : public SessionStore {
 
   int fail_at = -1;
   std::vector<TrialRecord> trials;
+  std::vector<PlanRecord> more;  ///< planned during the session
   std::vector<EventRecord> events;
 };
 

@@ -196,6 +196,70 @@ TEST_F(SqliteStoreTest, ReadsAFileOfTheFirstVersion) {
   EXPECT_EQ(sessions[0].trials[0].plan.face, std::nullopt);
   EXPECT_TRUE(sessions[0].session.cast.empty());
   EXPECT_FALSE(sessions[0].session.face);
+  EXPECT_FALSE(sessions[0].session.timing);
+  EXPECT_FALSE(sessions[0].trials[0].trial.excluded);
+  EXPECT_TRUE(sessions[0].trials[0].trial.response.reference.empty());
+}
+
+TEST_F(SqliteStoreTest, KeepsWhatTheTimingRestsOn) {
+  {
+    const auto store = open_sqlite_store(file_);
+    auto timed = session();
+    timed.timing = TimingRecord{.verdict = "usable",
+                                .gate = R"({"flips":120})",
+                                .calibration = "{}",
+                                .visual_line = "mouth",
+                                .visual_line_after = 8ms};
+    timed.keyboard_description = "evdev";
+    const auto id = store->begin(timed, plan());
+    auto first = trial(0);
+    first.excluded = true;
+    first.response.reference = "sound_onset";
+    first.response.reference_at = 7s;
+    first.response.uncertainty = 1ms;
+    first.keystrokes = {{.at = 8s, .source = "poll", .key = "b", .uncertainty = 1ms},
+                        {.at = 9s, .source = "poll", .key = "Pointer", .x = 0.25, .y = 0.5}};
+    first.clock_maps = {{.clock = "sound",
+                         .source = "stream_time",
+                         .at = 3s,
+                         .device_at = 48'000,
+                         .nanoseconds_per_unit = 20'833.3,
+                         .drift_ppm = -3.5,
+                         .residual = 20us,
+                         .readings = 1024,
+                         .rejected = 3,
+                         .jumps = 1}};
+    first.triggers = {{.kind = "serial",
+                       .event = "auditory_zero",
+                       .code = 17,
+                       .planned = 4s,
+                       .sent = 4s + 20us,
+                       .uncertainty = 15us,
+                       .source = "write_returned"}};
+    store->add(id, first);
+    auto again = plan()[0];
+    again.trial = 9;
+    again.repeats = 0;
+    store->add(id, again);
+    store->add(id, trial(9));
+  }
+  const auto stored = read_sessions(file_, Detail::Everything).at(0);
+  ASSERT_TRUE(stored.session.timing);
+  EXPECT_EQ(stored.session.timing->verdict, "usable");
+  EXPECT_EQ(stored.session.timing->visual_line_after, 8ms);
+  EXPECT_EQ(stored.session.keyboard_description, "evdev");
+  ASSERT_EQ(stored.trials.size(), 2U);
+  const auto& first = stored.trials[0].trial;
+  EXPECT_TRUE(first.excluded);
+  EXPECT_EQ(first.response.reference, "sound_onset");
+  EXPECT_EQ(first.response.reference_at, 7s);
+  EXPECT_EQ(first.keystrokes.at(0).uncertainty, 1ms);
+  EXPECT_EQ(first.keystrokes.at(1).x, 0.25);
+  EXPECT_EQ(first.clock_maps.at(0).device_at, 48'000);
+  EXPECT_EQ(first.clock_maps[0].drift_ppm, -3.5);
+  EXPECT_EQ(first.triggers.at(0).code, 17);
+  EXPECT_EQ(first.triggers[0].sent, 4s + 20us);
+  EXPECT_EQ(stored.trials[1].plan.repeats, 0);
 }
 
 TEST_F(SqliteStoreTest, RaisesAFileOfTheFirstVersionAndKeepsWhatItHolds) {
