@@ -128,14 +128,12 @@ class SessionLoop {
       for (const auto& stroke : booth_.keyboard.poll()) static_cast<void>(machine.on(stroke));
       present(fixation);
     } while (booth_.clock.now() + ahead < earliest);
-    const auto refresh = booth_.display.refresh();
     const auto now = booth_.clock.now();
-    const CueSheet cues{trial.layout,
-                        trial.drawing_rate,
-                        refresh.period,
-                        refresh.phase,
-                        std::max(earliest, now + kSchedulingMargin),
-                        now + booth_.audio.lead_time()};
+    CueSheet cues{trial.layout,
+                  trial.drawing_rate,
+                  booth_.display.refresh(),
+                  std::max(earliest, now + kSchedulingMargin),
+                  now + booth_.audio.lead_time()};
     present_stimulus(booth_, trial, cues, machine, record);
     static_cast<void>(machine.on(StimulusEnded{cues.end()}));
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/booth/shown_refreshes.hpp"
 #include "runner/devices/device_error.hpp"
 
 namespace bimodal::runner {
@@ -24,6 +25,9 @@ double milliseconds(Duration duration) {
 /// A sound that begins this much later than planned flags its trial.
 constexpr Duration kSoundTolerance = 2ms;
 
+/// An audio-visual offset that differs from the intended one by more flags its trial.
+constexpr Duration kOffsetTolerance = 4ms;
+
 /// How long to wait for the device's word on when the sound began.
 constexpr Duration kReportPatience = 500ms;
 
@@ -32,97 +36,107 @@ Picture picture_of(const Film& film, std::size_t number) {
   return {.width = image.width, .height = image.height, .pixels = image.pixels};
 }
 
-/// The frame of the media file that a frame of a film shows; -1 where it is blank.
-std::int64_t source_frame(const Film& film, std::int64_t frame) {
-  const auto number = film.picture_of_frame[static_cast<std::size_t>(frame)];
-  return number == Film::kBlank ? -1 : film.source_frame_of_picture[number];
+ClockMapRecord record_of(std::string clock, std::string_view source, const DeviceClock& of) {
+  return {.clock = std::move(clock),
+          .source = std::string{source},
+          .at = since_zero(of.fit.instant),
+          .device_at = of.fit.sample,
+          .nanoseconds_per_unit = of.fit.nanoseconds_per_sample,
+          .residual = of.fit.residual,
+          .readings = static_cast<std::int64_t>(of.fit.count),
+          .rejected = static_cast<std::int64_t>(of.fit.rejected),
+          .jumps = of.jumps};
 }
 
 class StimulusLoop {
  public:
   StimulusLoop(const Booth& booth,
                const PreparedTrial& trial,
-               const CueSheet& cues,
+               CueSheet& cues,
                TrialMachine& machine,
                TrialRecord& record)
-      : booth_{booth}, trial_{trial}, cues_{cues}, machine_{machine}, record_{record} {
-    const auto expected = static_cast<std::size_t>(trial.frames) + 8;
-    record_.refreshes.frame.reserve(expected);
-    if (shows_video_) record_.refreshes.source_frame.reserve(expected);
-    record_.refreshes.planned.reserve(expected);
-    record_.refreshes.shown.reserve(expected);
-    record_.stimulus_start = since_zero(cues.first_refresh());
-    record_.stimulus_end = since_zero(cues.end());
-  }
+      : booth_{booth},
+        trial_{trial},
+        cues_{cues},
+        machine_{machine},
+        record_{record},
+        shown_{trial, record.refreshes} {}
 
   void run() {
     if (trial_.sound) booth_.audio.schedule(*trial_.sound, cues_.sound_onset());
-    await_first_refresh();
-    std::int64_t index = 0;
-    while (cues_.refresh(index) < cues_.end()) {
-      const Instant shown = show(index);
+    while (true) {
+      follow_screen();
+      const auto due = next_refresh();
+      if (due >= cues_.end()) break;
+      show(due);
       for (const auto& stroke : booth_.keyboard.poll()) {
         static_cast<void>(machine_.on(stroke));  // may ask to stop; answered after the stimulus
       }
-      index = cues_.refresh_after(index, shown);
     }
-    report_picture();
+    record_.stimulus_start = since_zero(cues_.first_refresh());
+    record_.stimulus_end = since_zero(cues_.end());
+    if (trial_.frames > 0) report_picture();
     if (trial_.sound) report_sound();
+    report_offset();
+    report_clocks();
   }
 
  private:
-  /// The fixation mark stays, drawn at every refresh so that the screen keeps its rhythm.
-  void await_first_refresh() {
-    const Duration period = booth_.display.refresh().period;
-    screen_.fixation = true;
-    while (booth_.clock.now() + 3 * period / 2 < cues_.first_refresh()) {
-      static_cast<void>(booth_.display.present(screen_, booth_.clock.now()));
-      for (const auto& stroke : booth_.keyboard.poll()) static_cast<void>(machine_.on(stroke));
-    }
+  /// Takes picture and sound along with the screen as long as the sound can still be moved, or
+  /// without a sound until time zero was shown.
+  void follow_screen() {
+    const bool begins_later =
+        !trial_.sound || booth_.clock.now() + booth_.audio.lead_time() < cues_.sound_onset();
+    settled_ = settled_ || !begins_later || shown_.zero();
+    if (settled_) return;
+    cues_.follow(booth_.display.refresh());
+    if (trial_.sound) booth_.audio.move(cues_.sound_onset());
   }
 
-  Instant show(std::int64_t index) {
-    const auto due = cues_.frame_at(index);
-    const bool shows_frame = trial_.frames > 0 && due.has_value();
-    const std::int64_t frame = due.value_or(trial_.frames - 1);
-    screen_.fixation = trial_.frames == 0;
+  /// The first refresh that can still be met.
+  [[nodiscard]] Instant next_refresh() const {
+    const auto grid = booth_.display.refresh();
+    const auto reachable = refresh_not_before(grid, booth_.clock.now() + Duration{1});
+    if (!last_shown_) return reachable;
+    return std::max(reachable, nearest_refresh(grid, *last_shown_) + grid.period);
+  }
+
+  void show(Instant due) {
+    const auto frame = trial_.frames > 0 ? cues_.frame_at(due) : std::nullopt;
+    choose_picture(due, frame);
+    const auto presented = booth_.display.present(screen_, due);
+    if (frame) {
+      shown_.add(*frame, due, presented, booth_.display.refresh().period);
+    } else {
+      shown_.begin(presented.onset);
+    }
+    last_shown_ = presented.onset;
+  }
+
+  /// The fixation mark before the first frame, and the last frame while the sound goes on after it.
+  void choose_picture(Instant due, std::optional<std::int64_t> frame) {
+    const bool before = due < cues_.visual_zero() && !frame;
+    screen_.fixation = trial_.frames == 0 || before;
     screen_.picture = nullptr;
-    if (trial_.film && trial_.frames > 0) {
-      const auto number = trial_.film->picture_of_frame.at(static_cast<std::size_t>(frame));
-      if (number != Film::kBlank) {
-        picture_ = picture_of(*trial_.film, number);
-        screen_.picture = &picture_;
-      }
-    }
-    const Instant planned = cues_.refresh(index);
-    const auto presented = booth_.display.present(screen_, planned);
-    if (shows_frame) {
-      const Duration half = booth_.display.refresh().period / 2;
-      if (presented.lateness > half) ++late_;
-      if (presented.lateness < -half) ++early_;
-      record_.refreshes.frame.push_back(frame);
-      if (shows_video_) {
-        record_.refreshes.source_frame.push_back(source_frame(*trial_.film, frame));
-      }
-      record_.refreshes.planned.push_back(since_zero(planned));
-      record_.refreshes.shown.push_back(since_zero(presented.onset));
-      if (!zero_ && frame >= zero_frame_) zero_ = presented;
-      if (zero_ && !zero_since_)
-        zero_since_ = frame_time(trial_.layout, trial_.drawing_rate, frame);
-    }
-    return presented.onset;
+    if (!trial_.film || screen_.fixation) return;
+    const auto shown = frame.value_or(trial_.frames - 1);
+    const auto number = trial_.film->picture_of_frame.at(static_cast<std::size_t>(shown));
+    if (number == Film::kBlank) return;
+    picture_ = picture_of(*trial_.film, number);
+    screen_.picture = &picture_;
   }
 
   void report_picture() {
-    if (trial_.frames == 0) return;
     OnsetRecord onset{.modality = "visual",
                       .planned = since_zero(cues_.visual_zero()),
-                      .source = std::string{name(zero_ ? zero_->source : TimeSource::Predicted)}};
-    // If the frame of time zero was left out, the first one after it tells when it would have been.
-    if (zero_) onset.reported = since_zero(zero_->onset - *zero_since_);
+                      .source = std::string{name(shown_.source())}};
+    if (const auto zero = shown_.zero()) onset.reported = since_zero(*zero);
     record_.onsets.push_back(onset);
-    note_refreshes("late_frame", late_, "late");
-    note_refreshes("early_frame", early_, "early");
+    note_refreshes("late_frame", shown_.missed(), "late");
+    note_refreshes("early_frame", shown_.early(), "early");
+    if (booth_.display.time_source() != TimeSource::Predicted) {
+      note_refreshes("frame_unreported", shown_.unreported(), "not reported by the display");
+    }
   }
 
   void note_refreshes(const char* kind, int count, std::string_view how) {
@@ -162,6 +176,32 @@ class StimulusLoop {
     if (!playback.finished) note("sound_unfinished", "the device did not report the sound's end");
   }
 
+  /// Both onsets as they were reported, against the offset that was meant.
+  void report_offset() {
+    const auto reported = [&](std::string_view modality) -> std::optional<Duration> {
+      const auto found = std::ranges::find(record_.onsets, modality, &OnsetRecord::modality);
+      return found == record_.onsets.end() ? std::nullopt : found->reported;
+    };
+    const auto heard = reported("auditory");
+    const auto seen = reported("visual");
+    if (!heard || !seen) return;
+    const auto off = *heard - *seen - trial_.layout.av_offset;
+    if (std::chrono::abs(off) <= kOffsetTolerance) return;
+    note("av_offset", fmt::format("{:+.2f} ms from the intended one", milliseconds(off)));
+  }
+
+  void report_clocks() {
+    if (const auto display = booth_.display.clock()) {
+      record_.clock_maps.push_back(
+          record_of("display", name(booth_.display.time_source()), *display));
+    }
+    if (const auto sound = booth_.audio.clock()) {
+      auto map = record_of("sound", booth_.audio.time_source(), *sound);
+      map.drift_ppm = sound->fit.drift_ppm;
+      record_.clock_maps.push_back(std::move(map));
+    }
+  }
+
   void note(std::string kind, std::string detail) {
     record_.events.push_back({.at = since_zero(booth_.clock.now()),
                               .kind = std::move(kind),
@@ -171,24 +211,21 @@ class StimulusLoop {
 
   const Booth& booth_;
   const PreparedTrial& trial_;
-  const CueSheet& cues_;
+  CueSheet& cues_;
   TrialMachine& machine_;
   TrialRecord& record_;
-  bool shows_video_ = trial_.film && !trial_.film->source_frame_of_picture.empty();
+  ShownRefreshes shown_;
+  bool settled_ = false;  ///< time zero stays where it is
   Screen screen_;
   Picture picture_;
-  std::optional<Presentation> zero_;    ///< of the first frame not before time zero
-  std::optional<Duration> zero_since_;  ///< which time of the recording that frame shows
-  std::int64_t zero_frame_ = lead_frames(trial_.layout, trial_.drawing_rate);
-  int late_ = 0;  ///< frames more than half a refresh off
-  int early_ = 0;
+  std::optional<Instant> last_shown_;
 };
 
 }  // namespace
 
 void present_stimulus(const Booth& booth,
                       const PreparedTrial& trial,
-                      const CueSheet& cues,
+                      CueSheet& cues,
                       TrialMachine& machine,
                       TrialRecord& record) {
   StimulusLoop{booth, trial, cues, machine, record}.run();

@@ -10,10 +10,14 @@ namespace bimodal::runner {
 
 /// Shows and plays a prepared trial as its cue sheet says, and writes down in `record` what was
 /// shown and heard, when, and by whose word. Keystrokes go to `machine`. Returns when everything
-/// has ended. In the loop nothing is allocated but what keystrokes need.
+/// has been heard and seen. Throws DeviceError if the sound device is lost.
+///
+/// Until the sound must be handed over for good, picture and sound follow the screen's refreshes;
+/// from then on the frame of each refresh is the one that is due by the session clock, so that the
+/// picture keeps to the sound whatever the screen does. `cues` is left as it was carried out.
 void present_stimulus(const Booth& booth,
                       const PreparedTrial& trial,
-                      const CueSheet& cues,
+                      CueSheet& cues,
                       TrialMachine& machine,
                       TrialRecord& record);
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runner/timing/clock_map.hpp"
 #include "stimuli/base/quantity.hpp"
 
 namespace bimodal::runner {
@@ -49,10 +50,17 @@ class AudioOutput {
   /// lead_time() it starts late, and Playback says when. Replaces a sound not yet finished.
   virtual void schedule(const Sound& sound, Instant onset) = 0;
 
+  /// Moves the scheduled sound, so that its first sample is heard at `onset`, if it has not begun.
+  /// To be called as far ahead as schedule().
+  virtual void move(Instant onset) = 0;
+
   /// Fades the present sound out within 5 ms.
   virtual void stop() = 0;
 
   [[nodiscard]] virtual Playback playback() = 0;
+
+  /// Absent where nothing was measured.
+  [[nodiscard]] virtual std::optional<DeviceClock> clock() { return std::nullopt; }
 
   /// How far ahead schedule() must be called.
   [[nodiscard]] virtual Duration lead_time() const = 0;

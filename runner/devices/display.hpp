@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "runner/devices/clock.hpp"
+#include "runner/timing/clock_map.hpp"
 #include "runner/timing/refresh_estimate.hpp"
 #include "stimuli/base/quantity.hpp"
 
@@ -80,6 +82,9 @@ class Display {
 
   /// Measured at start-up over at least 100 refreshes, refined with every presentation.
   [[nodiscard]] virtual RefreshEstimate refresh() const = 0;
+
+  /// Refreshes since the first measured one on the session clock; absent where nothing is measured.
+  [[nodiscard]] virtual std::optional<DeviceClock> clock() const { return std::nullopt; }
 
   [[nodiscard]] virtual std::string kind() const = 0;         ///< "sdl", "headless", "simulated"
   [[nodiscard]] virtual std::string description() const = 0;  ///< driver, renderer, size, period

@@ -27,8 +27,19 @@ void Mixer::take_commands() noexcept {
   while (!waiting_) {
     const auto command = commands_.try_pop();
     if (!command) return;
+    if (command->kind == MixerCommand::Kind::Move) {
+      move(*command);
+      continue;
+    }
     release_all();
     if (command->kind == MixerCommand::Kind::Start) begin(*command);
+  }
+}
+
+void Mixer::move(const MixerCommand& command) noexcept {
+  for (auto& voice : voices_) {
+    const bool is_meant = voice.used && voice.command.sound == command.sound;
+    if (is_meant && !voice.started && !voice.finished) voice.command.start = command.start;
   }
 }
 

@@ -16,6 +16,7 @@ struct MixerCommand {
   enum class Kind : std::uint8_t {
     Start,  ///< play from stream sample `start`; fades out what plays and drops what waits
     Stop,   ///< fade out what plays and drop what waits
+    Move,   ///< `sound`, if it has not begun: play from stream sample `start`
   };
   Kind kind = Kind::Stop;
   std::uint64_t sound = 0;  ///< the caller's number for it, returned in reports
@@ -78,6 +79,7 @@ class Mixer {
   void take_commands() noexcept;
   void release_all() noexcept;
   void begin(const MixerCommand& command) noexcept;
+  void move(const MixerCommand& command) noexcept;
   void add(Voice& voice, std::span<float> output, std::size_t channels) const noexcept;
   void report(Voice& voice) noexcept;
 

@@ -58,47 +58,47 @@ Hertz drawing_rate_for(Duration refresh_period) {
 
 CueSheet::CueSheet(const StimulusLayout& layout,
                    Hertz drawing_rate,
-                   Duration refresh_period,
-                   Instant grid_phase,
+                   const RefreshEstimate& grid,
                    Instant earliest,
                    Instant earliest_sound)
     : layout_{layout},
       drawing_rate_{drawing_rate},
-      period_{refresh_period},
-      frames_{frame_count(layout, drawing_rate)} {
-  // On the grid: the refresh at which the frame of time zero is due, whatever the rates.
-  const double lead_s =
-      static_cast<double>(lead_frames(layout, drawing_rate)) / drawing_rate.count();
-  const Duration to_zero = std::int64_t{std::llround(lead_s / seconds(period_))} * period_;
+      frames_{frame_count(layout, drawing_rate)},
+      zero_frame_{lead_frames(layout, drawing_rate)} {
+  assert(grid.period > Duration::zero());
+  place(grid);
   if (layout.has_sound) {
-    const auto sound_before_first = layout.sound_lead - layout.av_offset - to_zero;
+    const auto sound_before_first = layout.sound_lead - layout.av_offset - to_zero_;
     earliest = std::max(earliest, earliest_sound + sound_before_first);
   }
-  const auto since = (earliest - grid_phase).count();
-  const auto period = period_.count();
-  const auto refreshes = since >= 0 ? (since + period - 1) / period : -(-since / period);
-  first_refresh_ = grid_phase + Duration{refreshes * period};
-  visual_zero_ = first_refresh_ + to_zero;
-  end_ = first_refresh_ + from_seconds(static_cast<double>(frames_) / drawing_rate.count());
-  if (layout.has_sound) {
-    end_ = std::max(end_, auditory_zero() + layout.recording + layout.sound_trail);
-  }
+  visual_zero_ = refresh_not_before(grid, earliest) + to_zero_;
 }
 
-Instant CueSheet::refresh(std::int64_t index) const {
-  return first_refresh_ + index * period_;
+/// On the grid: the refresh at which the frame of time zero is due, whatever the rates.
+void CueSheet::place(const RefreshEstimate& grid) {
+  const double lead_s = static_cast<double>(zero_frame_) / drawing_rate_.count();
+  to_zero_ = std::int64_t{std::llround(lead_s / seconds(grid.period))} * grid.period;
 }
 
-std::optional<std::int64_t> CueSheet::frame_at(std::int64_t refresh_index) const {
-  const double since = seconds(refresh_index * period_);
-  const auto frame = static_cast<std::int64_t>(std::llround(since * drawing_rate_.count()));
-  if (frame >= frames_) return std::nullopt;
+void CueSheet::follow(const RefreshEstimate& grid) {
+  place(grid);
+  visual_zero_ = nearest_refresh(grid, visual_zero_);
+}
+
+Instant CueSheet::end() const {
+  const auto rest = static_cast<double>(frames_ - zero_frame_) / drawing_rate_.count();
+  const auto seen = visual_zero_ + from_seconds(rest);
+  if (!layout_.has_sound) return seen;
+  return std::max(seen, auditory_zero() + layout_.recording + layout_.sound_trail);
+}
+
+std::optional<std::int64_t> CueSheet::frame_at(Instant refresh) const {
+  const double since_zero = seconds(refresh - visual_zero_);
+  const auto nearest = zero_frame_ + std::llround(since_zero * drawing_rate_.count());
+  // Where the rates differ, the lead may be half a frame longer on the screen.
+  const auto frame = refresh >= first_refresh() ? std::max<std::int64_t>(nearest, 0) : nearest;
+  if (frame < 0 || frame >= frames_) return std::nullopt;
   return frame;
-}
-
-std::int64_t CueSheet::refresh_after(std::int64_t index, Instant shown) const {
-  const double since = seconds(shown - first_refresh_) / seconds(period_);
-  return std::max(index + 1, static_cast<std::int64_t>(std::llround(since)) + 1);
 }
 
 }  // namespace bimodal::runner

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "runner/timing/refresh_estimate.hpp"
 #include "stimuli/base/quantity.hpp"
 
 namespace bimodal::runner {
@@ -41,12 +42,16 @@ class CueSheet {
   /// before `earliest`, and late enough for the sound to begin not before `earliest_sound`.
   CueSheet(const StimulusLayout& layout,
            Hertz drawing_rate,
-           Duration refresh_period,
-           Instant grid_phase,
+           const RefreshEstimate& grid,
            Instant earliest,
            Instant earliest_sound);
 
-  [[nodiscard]] Instant first_refresh() const { return first_refresh_; }
+  /// Moves everything onto the grid as it is known by now: time zero goes to the refresh nearest to
+  /// where it was. A screen that keeps its rhythm moves nothing; one that wanders (a compositor
+  /// with a timer of its own) takes the stimulus along, as long as its sound has not begun.
+  void follow(const RefreshEstimate& grid);
+
+  [[nodiscard]] Instant first_refresh() const { return visual_zero_ - to_zero_; }
 
   /// When the recording's time zero is to be seen (a refresh), and when it is to be heard.
   [[nodiscard]] Instant visual_zero() const { return visual_zero_; }
@@ -57,25 +62,21 @@ class CueSheet {
   [[nodiscard]] Instant sound_onset() const { return auditory_zero() - layout_.sound_lead; }
 
   /// The end of everything that is seen or heard.
-  [[nodiscard]] Instant end() const { return end_; }
+  [[nodiscard]] Instant end() const;
 
-  /// The instant of refresh `index` (from 0); the frame to be shown then, absent after the last
-  /// one.
-  [[nodiscard]] Instant refresh(std::int64_t index) const;
-  [[nodiscard]] std::optional<std::int64_t> frame_at(std::int64_t refresh_index) const;
-
-  /// The refresh that follows one that was shown at `shown`: frames whose time has passed are left
-  /// out rather than shown late.
-  [[nodiscard]] std::int64_t refresh_after(std::int64_t index, Instant shown) const;
+  /// The frame nearest to what is to be seen at `refresh`: absent before the first and after the
+  /// last one. Frames whose time has passed are left out rather than shown late.
+  [[nodiscard]] std::optional<std::int64_t> frame_at(Instant refresh) const;
 
  private:
+  void place(const RefreshEstimate& grid);
+
   StimulusLayout layout_;
   Hertz drawing_rate_;
-  Duration period_;
-  Instant first_refresh_;
-  Instant visual_zero_;
-  Instant end_;
   std::int64_t frames_ = 0;
+  std::int64_t zero_frame_ = 0;
+  Duration to_zero_{};  ///< from the first refresh to time zero: whole refreshes
+  Instant visual_zero_;
 };
 
 }  // namespace bimodal::runner

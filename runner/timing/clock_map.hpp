@@ -34,6 +34,12 @@ struct ClockFit {
   [[nodiscard]] std::int64_t sample_at(Instant at) const;
 };
 
+/// How a device's clock lies on the session clock.
+struct DeviceClock {
+  ClockFit fit;   ///< of a sound stream's samples, or of a display's refreshes
+  int jumps = 0;  ///< since the session began: lost buffers, or another rate
+};
+
 /// Fits a line through readings whose errors are mostly small but sometimes large. Start: the
 /// median slope of pairs half the readings apart and the median offset (Theil 1950, thinned), or,
 /// where the readings span less than `shortest_for_drift`, the nominal rate. Then readings farther

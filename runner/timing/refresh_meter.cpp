@@ -12,7 +12,9 @@ constexpr double kTolerance = 0.2;        ///< of a period, from a whole multipl
 constexpr double kNormalPerMad = 1.4826;  ///< standard deviation of a normal distribution / MAD
 constexpr double kOutlierDeviations = 5.0;
 constexpr double kLeastOutlier = 0.02;  ///< of a period
-constexpr std::size_t kForPhase = 9;    ///< recent instants
+constexpr double kLeastGain = 0.2;       ///< about as good as a mean of the last 9
+constexpr std::size_t kForPhase = 24;    ///< recent instants; older ones weigh under 1 % then
+constexpr std::size_t kForGain = 128;    ///< intervals
 constexpr double kSteadiness = 0.01;    ///< of an interval, in which steady ones agree
 constexpr int kSteadyIntervals = 12;  ///< of the last 16, to tell a new rate from a loaded machine
 
@@ -69,6 +71,11 @@ void RefreshMeter::add(Instant onset) {
 }
 
 void RefreshMeter::start_run(Instant onset) {
+  if (size_ > 0 && period_ > 0.0) {
+    const auto& latest = recent(0);
+    first_ +=
+        latest.index + std::llround((nanoseconds(onset - origin_) - latest.at) / period_);
+  }
   origin_ = last_ = onset;
   next_ = size_ = 0;
   intercept_ = 0.0;
@@ -113,47 +120,116 @@ void RefreshMeter::number_warm_up() {
   }
 }
 
-void RefreshMeter::refit() {
-  std::array<double, kWindow> residuals{};
-  const auto residual = [this](const Refresh& refresh) {
-    return refresh.at - intercept_ - period_ * static_cast<double>(refresh.index);
-  };
-  for (std::size_t i = 0; i < size_; ++i) residuals[i] = residual(ring_[i]);
-  const auto middle = median(std::span{residuals}.first(size_));
-  for (std::size_t i = 0; i < size_; ++i) residuals[i] = std::abs(residual(ring_[i]) - middle);
-  const auto spread = kNormalPerMad * median(std::span{residuals}.first(size_));
-  const auto limit = std::max(kOutlierDeviations * spread, kLeastOutlier * period_);
+double RefreshMeter::residual(const Refresh& refresh) const {
+  return refresh.at - intercept_ - period_ * static_cast<double>(refresh.index);
+}
 
+void RefreshMeter::refit() {
+  measure_gain();
+  fit_line(gain_ > 0.5 ? std::min(size_, kWandering) : size_);
+  intercept_ += phase_residual(std::max(kOutlierDeviations * spread_, kLeastOutlier * period_));
+  estimate_.period = rounded(period_);
+  estimate_.phase = origin_ + rounded(intercept_ + period_ * static_cast<double>(recent(0).index));
+  estimate_.count = static_cast<int>(counts_.single);
+}
+
+/// From the correlation of single periods with the ones that follow them.
+void RefreshMeter::measure_gain() {
+  std::array<double, kForGain> periods{};
+  const auto count = std::min(size_ - 1, kForGain);
+  std::size_t singles = 0;
+  for (std::size_t age = 0; age < count; ++age) {
+    const auto interval = recent(age).at - recent(age + 1).at;
+    const bool is_single = off_multiple(interval / period_) <= kTolerance &&
+                           recent(age).index - recent(age + 1).index == 1;
+    periods[age] = is_single ? interval - period_ : 0.0;
+    if (is_single) ++singles;
+  }
+  gain_ = kLeastGain;
+  if (count < kWarmUp || 4 * singles < 3 * count) return;
+  double squares = 0.0;
+  double products = 0.0;
+  for (std::size_t age = 0; age < count; ++age) squares += periods[age] * periods[age];
+  for (std::size_t age = 1; age < count; ++age) products += periods[age - 1] * periods[age];
+  const double rho = squares > 0.0 ? products / squares : -0.5;
+  if (rho >= 0.0) {
+    gain_ = 1.0;
+  } else if (rho > -0.5) {
+    const double theta = (1.0 - std::sqrt(1.0 - 4.0 * rho * rho)) / (2.0 * -rho);
+    gain_ = std::max(1.0 - theta, kLeastGain);
+  }
+}
+
+/// Through the last `count` instants, without outliers.
+void RefreshMeter::fit_line(std::size_t count) {
+  std::array<double, kWindow> residuals{};
+  const auto window = std::span{residuals}.first(count);
+  for (std::size_t age = 0; age < count; ++age) window[age] = residual(recent(age));
+  const auto middle = median(window);
+  for (std::size_t age = 0; age < count; ++age) {
+    window[age] = std::abs(residual(recent(age)) - middle);
+  }
+  spread_ = kNormalPerMad * median(window);
+  const auto limit = std::max(kOutlierDeviations * spread_, kLeastOutlier * period_);
   const auto is_outlier = [&](const Refresh& refresh) {
     return std::abs(residual(refresh) - middle) > limit;
   };
-  double count = 0.0;
+  double used = 0.0;
   double mean_index = 0.0;
   double mean_at = 0.0;
-  for (std::size_t i = 0; i < size_; ++i) {
-    if (is_outlier(ring_[i])) continue;
-    count += 1.0;
-    mean_index += (static_cast<double>(ring_[i].index) - mean_index) / count;
-    mean_at += (ring_[i].at - mean_at) / count;
+  for (std::size_t age = 0; age < count; ++age) {
+    const auto& refresh = recent(age);
+    if (is_outlier(refresh)) continue;
+    used += 1.0;
+    mean_index += (static_cast<double>(refresh.index) - mean_index) / used;
+    mean_at += (refresh.at - mean_at) / used;
   }
+  rejected_ = count - static_cast<std::size_t>(used);
   double covariance = 0.0;
   double variance = 0.0;
-  for (std::size_t i = 0; i < size_; ++i) {
-    if (is_outlier(ring_[i])) continue;
-    const auto from_mean = static_cast<double>(ring_[i].index) - mean_index;
-    covariance += from_mean * (ring_[i].at - mean_at);
+  for (std::size_t age = 0; age < count; ++age) {
+    const auto& refresh = recent(age);
+    if (is_outlier(refresh)) continue;
+    const auto from_mean = static_cast<double>(refresh.index) - mean_index;
+    covariance += from_mean * (refresh.at - mean_at);
     variance += from_mean * from_mean;
   }
   const auto enough = first_run_ ? kWarmUp : kEnoughForPeriod;
   if (size_ >= enough && variance > 0.0) period_ = covariance / variance;
   intercept_ = mean_at - period_ * mean_index;
+}
 
-  const auto recent_count = std::min(size_, kForPhase);
-  for (std::size_t age = 0; age < recent_count; ++age) residuals[age] = residual(recent(age));
-  intercept_ += median(std::span{residuals}.first(recent_count));
-  estimate_.period = rounded(period_);
-  estimate_.phase = origin_ + rounded(intercept_ + period_ * static_cast<double>(recent(0).index));
-  estimate_.count = static_cast<int>(counts_.single);
+/// Where the grid lies now, off the line.
+double RefreshMeter::phase_residual(double limit) const {
+  const auto count = std::min(size_, kForPhase);
+  std::array<double, kForPhase> oldest_first{};
+  for (std::size_t age = 0; age < count; ++age) {
+    oldest_first[count - 1 - age] = residual(recent(age));
+  }
+  std::array<double, 3> oldest{};
+  const auto start = std::span{oldest}.first(std::min(count, oldest.size()));
+  std::copy_n(oldest_first.begin(), start.size(), start.begin());
+  double phase = median(start);
+  for (std::size_t i = 1; i < count; ++i) {
+    const double off = oldest_first[i] - phase;
+    if (std::abs(off) <= limit) {
+      phase += gain_ * off;
+    } else if (i >= 2 && std::abs(oldest_first[i] - oldest_first[i - 1]) <= limit &&
+               std::abs(oldest_first[i] - oldest_first[i - 2]) <= limit) {
+      phase = oldest_first[i];  // three agree: time was lost at once
+    }
+  }
+  return phase;
+}
+
+ClockFit RefreshMeter::fit() const {
+  return {.sample = size_ == 0 ? 0 : first_ + recent(0).index,
+          .instant = estimate_.phase,
+          .nanoseconds_per_sample = period_,
+          .drift_ppm = 0.0,
+          .residual = rounded(spread_),
+          .count = size_ - std::min(rejected_, size_),
+          .rejected = rejected_};
 }
 
 bool RefreshMeter::grid_lost() const {

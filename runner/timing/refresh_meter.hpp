@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "runner/timing/clock_map.hpp"
 #include "runner/timing/refresh_estimate.hpp"
 #include "stimuli/base/quantity.hpp"
 
@@ -25,8 +26,17 @@ struct RefreshCounts {
 /// irregular. From then on every instant is given its whole number of periods, and a straight line
 /// is fitted through the last 512 instants by least squares, leaving out those whose residual is
 /// more than 5 scaled median absolute deviations (at least 2 % of a period) off the median. Its
-/// slope is the period; the phase is the median of the last 9 instants along it, because a
-/// compositor's timer, unlike a screen, may lose a few milliseconds and never make up for them.
+/// slope is the period.
+///
+/// The phase is an exponentially weighted mean of the instants along that line. How much the last
+/// instant weighs follows from what the screen is like. The stamps of a screen with a crystal are
+/// noise about a fixed grid: a long interval is followed by a short one, and little weight (1/5) is
+/// best. A compositor with a timer of its own counts each period from the last refresh: its grid
+/// wanders, and the last instant says all. In between, where refreshes wander and stamps are noisy,
+/// intervals are a moving average of order 1, and the best weight is 1 - |theta|, its coefficient
+/// by the intervals' correlation with the next one, rho = theta / (1 + theta^2) (Muth 1960, J. Am.
+/// Stat. Assoc. 55:299). Where it is above 1/2, the period is that of the last 64 instants. An
+/// instant far off counts only when the two before it agree with it: a timer may lose time at once.
 /// After a gap longer than 64 periods the numbering starts anew; the period is kept until 100 new
 /// instants can tell it. Only when 12 of the last 16 intervals agree within 1 % on a length that is
 /// 2 % off every multiple of the period, everything starts anew: the screen has another rate.
@@ -36,6 +46,7 @@ struct RefreshCounts {
 class RefreshMeter {
  public:
   static constexpr std::size_t kWindow = 512;
+  static constexpr std::size_t kWandering = 64;  ///< of a grid that wanders
   static constexpr std::size_t kWarmUp = 16;
   static constexpr std::size_t kEnoughForPeriod = 100;
   static constexpr std::int64_t kLongestGap = 64;
@@ -49,6 +60,12 @@ class RefreshMeter {
 
   [[nodiscard]] const RefreshCounts& counts() const { return counts_; }
 
+  /// The grid as a clock that counts refreshes from the first one measured, missed ones included.
+  [[nodiscard]] ClockFit fit() const;
+
+  /// The weight of the last instant in the phase, from 1/5 (a fixed grid) to 1 (one that wanders).
+  [[nodiscard]] double gain() const { return gain_; }
+
  private:
   struct Refresh {
     double at = 0.0;         ///< ns since origin_
@@ -60,6 +77,10 @@ class RefreshMeter {
   void start_run(Instant onset);
   void number_warm_up();
   void refit();
+  void measure_gain();
+  void fit_line(std::size_t count);
+  [[nodiscard]] double phase_residual(double limit) const;
+  [[nodiscard]] double residual(const Refresh& refresh) const;
   void measure_deviation();
   [[nodiscard]] bool grid_lost() const;
   [[nodiscard]] const Refresh& recent(std::size_t age) const;
@@ -71,6 +92,10 @@ class RefreshMeter {
   bool first_run_ = true;   ///< since the period was last unknown
   double period_ = 0.0;     ///< ns
   double intercept_ = 0.0;  ///< fitted instant of index 0, ns since origin_
+  double gain_ = 0.2;
+  double spread_ = 0.0;         ///< robust standard deviation about the line, ns
+  std::size_t rejected_ = 0;    ///< of the instants in the window
+  std::int64_t first_ = 0;      ///< number of index 0 since the first refresh measured
   Instant origin_;
   Instant last_;
   RefreshEstimate estimate_;

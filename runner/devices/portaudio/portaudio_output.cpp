@@ -92,6 +92,7 @@ struct PortaudioOutput::Stream {
 
   std::map<std::uint64_t, std::shared_ptr<const std::vector<float>>> borrowed;
   std::uint64_t present = 0;  ///< number of the last scheduled sound; 0: none
+  std::int64_t start = 0;     ///< stream sample for which it is scheduled
   Playback playback;
   bool started = false;
   bool onset_settled = false;
@@ -282,15 +283,26 @@ void PortaudioOutput::schedule(const Sound& sound, Instant onset) {
         describe(stream.device))};
   }
   const auto number = stream.present + 1;
+  stream.start = stream.clock.fit()->sample_at(onset);
   stream.post({.kind = MixerCommand::Kind::Start,
                .sound = number,
                .samples = sound.samples->data(),
                .length = static_cast<std::int64_t>(sound.samples->size()),
-               .start = stream.clock.fit()->sample_at(onset)});
+               .start = stream.start});
   stream.borrowed[number] = sound.samples;
   stream.present = number;
   stream.started = false;
   stream.playback = Playback{};
+}
+
+void PortaudioOutput::move(Instant onset) {
+  auto& stream = *stream_;
+  stream.collect();
+  if (stream.started || stream.playback.finished) return;
+  const auto start = stream.clock.fit()->sample_at(onset);
+  if (start == stream.start) return;
+  stream.start = start;
+  stream.post({.kind = MixerCommand::Kind::Move, .sound = stream.present, .start = start});
 }
 
 void PortaudioOutput::stop() {
@@ -345,9 +357,9 @@ std::string_view PortaudioOutput::time_source() const {
   return stream_->stream_times_plausible ? "stream_time" : "callback_time";
 }
 
-std::optional<ClockFit> PortaudioOutput::clock_fit() {
+std::optional<DeviceClock> PortaudioOutput::clock() {
   stream_->collect();
-  return stream_->clock.fit();
+  return DeviceClock{*stream_->clock.fit(), stream_->clock.jumps()};
 }
 
 }  // namespace bimodal::runner

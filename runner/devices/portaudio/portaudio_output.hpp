@@ -38,6 +38,7 @@ class PortaudioOutput final : public AudioOutput {
   ~PortaudioOutput() override;
 
   void schedule(const Sound& sound, Instant onset) override;
+  void move(Instant onset) override;
   void stop() override;
   [[nodiscard]] Playback playback() override;
   [[nodiscard]] Duration lead_time() const override;
@@ -46,8 +47,7 @@ class PortaudioOutput final : public AudioOutput {
   [[nodiscard]] std::string description() const override;
   [[nodiscard]] std::string_view time_source() const override;
 
-  /// The present relation of the device's clock to the session's.
-  [[nodiscard]] std::optional<ClockFit> clock_fit();
+  [[nodiscard]] std::optional<DeviceClock> clock() override;
 
  private:
   struct Stream;

@@ -92,6 +92,11 @@ RefreshEstimate SdlDisplay::refresh() const {
   return source_ == TimeSource::Predicted ? nominal_ : meter_.estimate();
 }
 
+std::optional<DeviceClock> SdlDisplay::clock() const {
+  if (source_ == TimeSource::Predicted) return std::nullopt;
+  return DeviceClock{meter_.fit(), static_cast<int>(meter_.counts().restarts)};
+}
+
 Presentation SdlDisplay::present(const Screen& screen, Instant deadline) {
   const auto plan = plan_refresh(refresh(), clock_.now(), deadline);
   wait_until(plan.submit);

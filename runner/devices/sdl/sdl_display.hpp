@@ -32,6 +32,7 @@ class SdlDisplay final : public Display {
   Presentation present(const Screen& screen, Instant deadline) override;
 
   [[nodiscard]] RefreshEstimate refresh() const override;
+  [[nodiscard]] std::optional<DeviceClock> clock() const override;
 
   [[nodiscard]] std::string kind() const override { return "sdl"; }
 

@@ -8,7 +8,13 @@ SilentAudio::SilentAudio(const Clock& clock, Hertz rate) : clock_{clock}, rate_{
 
 void SilentAudio::schedule(const Sound& sound, Instant onset) {
   require_playable(sound, rate_);
-  end_ = std::max(onset, clock_.now()) + duration(sound);
+  length_ = duration(sound);
+  end_ = std::max(onset, clock_.now()) + length_;
+}
+
+void SilentAudio::move(Instant onset) {
+  const auto now = clock_.now();
+  if (end_ && now < *end_ - length_) end_ = std::max(onset, now) + length_;
 }
 
 void SilentAudio::stop() {

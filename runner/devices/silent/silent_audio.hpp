@@ -15,6 +15,7 @@ class SilentAudio final : public AudioOutput {
   explicit SilentAudio(const Clock& clock, Hertz rate = Hertz{48'000});
 
   void schedule(const Sound& sound, Instant onset) override;
+  void move(Instant onset) override;
   void stop() override;
   [[nodiscard]] Playback playback() override;
 
@@ -31,6 +32,7 @@ class SilentAudio final : public AudioOutput {
  private:
   const Clock& clock_;
   Hertz rate_;
+  Duration length_{};
   std::optional<Instant> end_;
 };
 

@@ -20,6 +20,14 @@ void SimulatedAudio::schedule(const Sound& sound, Instant onset) {
   sound_ = Span{start, start + duration(sound)};
 }
 
+void SimulatedAudio::move(Instant onset) {
+  const auto now = clock_.now();
+  if (!sound_ || now >= sound_->start) return;
+  const auto length = sound_->end - sound_->start;
+  const auto start = std::max(onset, now);
+  sound_ = Span{start, start + length};
+}
+
 void SimulatedAudio::stop() {
   if (!sound_) return;
   const auto now = clock_.now();

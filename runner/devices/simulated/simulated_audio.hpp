@@ -16,6 +16,7 @@ class SimulatedAudio final : public AudioOutput {
   explicit SimulatedAudio(const Clock& clock, Hertz rate = Hertz{48'000});
 
   void schedule(const Sound& sound, Instant onset) override;
+  void move(Instant onset) override;
   void stop() override;
   [[nodiscard]] Playback playback() override;
 

@@ -252,6 +252,8 @@ class LostAudio final : public AudioOutput {
  public:
   void schedule(const Sound& /*sound*/, Instant /*onset*/) override {}
 
+  void move(Instant /*onset*/) override {}
+
   void stop() override {}
 
   [[nodiscard]] Playback playback() override { return {.finished = true, .lost = true}; }

@@ -86,6 +86,30 @@ TEST(Mixer, StartsALateSoundAtOnceAndSaysWhere) {
   expect_report(mixer, MixerReport::Kind::Finished, 1, 1010);
 }
 
+MixerCommand move(std::uint64_t sound, std::int64_t to) {
+  return {.kind = MixerCommand::Kind::Move, .sound = sound, .start = to};
+}
+
+TEST(Mixer, MovesASoundThatHasNotBegun) {
+  Mixer mixer{kFade};
+  const auto sound = ramp(3);
+  ASSERT_TRUE(mixer.post(start(1, sound, 4)));
+  (void)rendered(mixer, 2);
+  ASSERT_TRUE(mixer.post(move(1, 7)));
+  EXPECT_EQ(rendered(mixer, 8), (std::vector<float>{0, 0, 0, 0, 0, 1, 2, 3}));
+  expect_report(mixer, MixerReport::Kind::Started, 1, 7);
+}
+
+TEST(Mixer, DoesNotMoveASoundThatPlaysNorAnother) {
+  Mixer mixer{kFade};
+  const auto sound = ramp(4);
+  ASSERT_TRUE(mixer.post(start(1, sound, 0)));
+  (void)rendered(mixer, 2);
+  ASSERT_TRUE(mixer.post(move(1, 50)));
+  ASSERT_TRUE(mixer.post(move(9, 50)));
+  EXPECT_EQ(rendered(mixer, 3), (std::vector<float>{3, 4, 0}));
+}
+
 TEST(Mixer, FadesAStoppedSoundAsARaisedCosine) {
   Mixer mixer{kFade};
   const std::vector<float> sound(5000, 1.0F);

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+
+#include "runner/devices/display.hpp"
+#include "runner/preparation/trial_preparer.hpp"
+#include "runner/store/records.hpp"
+
+namespace bimodal::runner {
+
+/// What the screen did with the frames of one trial. Adding allocates nothing up to the trial's
+/// number of frames and a few more.
+class ShownRefreshes {
+ public:
+  ShownRefreshes(const PreparedTrial& trial, RefreshRecord& record);
+
+  /// A refresh before the stimulus, from which gaps are counted.
+  void begin(Instant shown) { last_ = shown; }
+
+  /// Frame `frame` was to be shown at `due`, and was; `period` is the screen's.
+  void add(std::int64_t frame, Instant due, const Presentation& shown, Duration period);
+
+  /// When the recording's time zero was shown: if its own frame was left out, when it would have
+  /// been by the first one after it. Absent: it was not.
+  [[nodiscard]] std::optional<Instant> zero() const;
+
+  /// By whose word.
+  [[nodiscard]] TimeSource source() const;
+
+  /// Refreshes that went by with the picture of the one before.
+  [[nodiscard]] int missed() const { return missed_; }
+
+  /// Frames that were shown more than half a period before they were due.
+  [[nodiscard]] int early() const { return early_; }
+
+  /// Refreshes of which nobody reported when they took place.
+  [[nodiscard]] int unreported() const { return unreported_; }
+
+ private:
+  const PreparedTrial& trial_;
+  RefreshRecord& record_;
+  std::int64_t zero_frame_;
+  bool shows_video_;
+  std::optional<Instant> last_;
+  std::optional<Presentation> zero_;  ///< of the first frame not before time zero
+  Duration zero_since_{};             ///< which time of the recording that frame shows
+  int missed_ = 0;
+  int early_ = 0;
+  int unreported_ = 0;
+};
+
+}  // namespace bimodal::runner
