@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "runner/booth/stimulus_presentation.hpp"
+#include "runner/booth/trial_presentation.hpp"
 #include "runner/session/session_steps.hpp"
 #include "runner/session/trial_machine.hpp"
 
@@ -14,16 +14,11 @@ namespace bimodal::runner {
 
 namespace {
 
-using namespace std::chrono_literals;
-
 /// Before the first trial the display must have been watched for this many refreshes.
 constexpr int kRefreshesWatched = 100;
 
 /// But no longer than this, for a display may stop telling.
 constexpr int kMostWatched = 300;
-
-/// From scheduling to the first refresh at the earliest, whatever the sound needs.
-constexpr Duration kSchedulingMargin = 50ms;
 
 constexpr const char* kStopQuestion =
     "Stop the session here?\n\nEscape: stop. What has been answered is kept.\nEnter: go on.";
@@ -97,7 +92,7 @@ class SessionLoop {
                                 parts_.plan.size(),
                                 parts_.protocol.conditions.at(planned.condition).name));
     parts_.trials.hold();
-    present_trial(trial, machine, record);
+    static_cast<void>(present_trial(booth_, trial, machine, record));
     parts_.trials.release();
     if (parts_.answer) booth_.keyboard.expect(parts_.answer(planned), booth_.clock.now());
     const bool go_on = collect_answer(machine, step.progress, record);
@@ -108,34 +103,6 @@ class SessionLoop {
     ++outcome_.trials;
     outcome_.flagged += record.flagged ? 1 : 0;
     return pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
-  }
-
-  /// From planning to the first refresh, at least.
-  [[nodiscard]] Duration planning_time(const PreparedTrial& trial) const {
-    return kSchedulingMargin + (trial.layout.has_sound ? booth_.audio.lead_time() : Duration{});
-  }
-
-  void present_trial(const PreparedTrial& trial, TrialMachine& machine, TrialRecord& record) {
-    Screen fixation;
-    fixation.fixation = true;
-    const auto shown = booth_.display.present(fixation, booth_.clock.now());
-    const auto commands = machine.on(FixationShown{shown.onset});
-    const auto earliest = std::get<StartStimulus>(commands.at(0)).earliest;
-    const auto ahead = planning_time(trial);
-    // Drawn at every refresh: a screen that rests may change its rhythm, and a plan that is made
-    // late follows from the latest refreshes.
-    do {
-      for (const auto& stroke : booth_.keyboard.poll()) static_cast<void>(machine.on(stroke));
-      present(fixation);
-    } while (booth_.clock.now() + ahead < earliest);
-    const auto now = booth_.clock.now();
-    CueSheet cues{trial.layout,
-                  trial.drawing_rate,
-                  booth_.display.refresh(),
-                  std::max(earliest, now + kSchedulingMargin),
-                  now + booth_.audio.lead_time()};
-    present_stimulus(booth_, trial, cues, machine, record);
-    static_cast<void>(machine.on(StimulusEnded{cues.end()}));
   }
 
   /// False if the session is to be stopped; the unfinished trial is then not stored.

@@ -31,5 +31,6 @@ void add_measures(CLI::App& app, Verb& chosen);
 void add_sheets(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
 void add_corpus(CLI::App& app, Verb& chosen);
+void add_timing(CLI::App& app, Verb& chosen);
 
 }  // namespace bimodal::runner

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "runner/booth/booth.hpp"
+#include "runner/preparation/trial_preparer.hpp"
+#include "runner/session/cue_sheet.hpp"
+#include "runner/session/trial_machine.hpp"
+#include "runner/store/records.hpp"
+
+namespace bimodal::runner {
+
+/// From the fixation mark to the end of everything seen and heard: chooses the first refresh ahead,
+/// presents the stimulus and writes down in `record` what happened. The screen is drawn at every
+/// refresh, for one that rests may change its rhythm. Returns the plan as it was carried out.
+/// Sessions and `bimodal timing` present by this one function.
+CueSheet present_trial(const Booth& booth,
+                       const PreparedTrial& trial,
+                       TrialMachine& machine,
+                       TrialRecord& record);
+
+}  // namespace bimodal::runner
