@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -10,6 +11,7 @@
 #include "runner/cli/verbs.hpp"
 #include "runner/devices/monotonic_clock.hpp"
 #include "runner/devices/portaudio/portaudio_output.hpp"
+#include "runner/devices/right_of_way.hpp"
 #include "runner/devices/sdl/sdl_display.hpp"
 #include "runner/devices/sdl/sdl_keyboard.hpp"
 #include "runner/timing/moments.hpp"
@@ -26,6 +28,7 @@ struct TimingOptions {
   bool windowed = false;
   int width = 1280;
   int height = 1024;
+  double av_offset_ms = 0.0;
 };
 
 nlohmann::json as_json(const TimedTrial& trial) {
@@ -51,17 +54,20 @@ nlohmann::json as_json(const TimedTrial& trial) {
 
 ExitCode measure(const TimingOptions& options) {
   MonotonicClock clock;
+  const RightOfWay right_of_way;
   SdlWindow window{{.width = options.width,
                     .height = options.height,
                     .fullscreen = !options.windowed,
                     .title = "bimodal timing",
                     .background = {0.38F, 0.38F, 0.38F}}};
   SdlDisplay display{window};
+  right_of_way.keep_to_itself();
   SdlKeyboard keyboard{window, clock};
   PortaudioOutput audio{{.device = options.audio == "default" ? "" : options.audio}};
   fmt::print("{}\n{}\n", display.description(), audio.description());
   const TimingPlan plan{.trials = options.trials,
-                        .flash = {.drawing_rate = drawing_rate_for(display.refresh().period)}};
+                        .flash = {.drawing_rate = drawing_rate_for(display.refresh().period),
+                                  .av_offset = Duration{std::llround(options.av_offset_ms * 1e6)}}};
   stop_at_interrupt();
   const auto trials = run_timing(
       {clock, display, keyboard, audio}, plan, [](int, TimedTrial&) {}, interrupt_asked);
@@ -81,8 +87,10 @@ ExitCode measure(const TimingOptions& options) {
              moments.deviation_ms,
              draw(histogram_of(offsets)));
   if (!options.json.empty()) {
+    nlohmann::json json;
+    for (const auto& trial : trials) json["trials"].push_back(as_json(trial));
     auto* const file = std::fopen(options.json.c_str(), "w");
-    for (const auto& trial : trials) fmt::print(file, "{}\n", as_json(trial).dump());
+    fmt::print(file, "{}\n", json.dump());
     std::fclose(file);
   }
   return ExitCode::Done;
@@ -96,6 +104,7 @@ void add_timing(CLI::App& app, Verb& chosen) {
   verb->add_option("--trials", options->trials, "how many")->check(whole_number_from(1));
   verb->add_option("--audio", options->audio, "device");
   verb->add_option("--json", options->json, "file");
+  verb->add_option("--av-offset-ms", options->av_offset_ms, "audio minus visual, intended");
   verb->add_flag("--windowed", options->windowed, "a window");
   verb->add_option("--width", options->width, "pixels");
   verb->add_option("--height", options->height, "pixels");

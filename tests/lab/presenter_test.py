@@ -1,0 +1,183 @@
+"""Measures the presenter from outside, and requires what the project promises about its timing.
+
+    presenter_test.py BIMODAL OBSERVER CLEAR_CLIENT FOLDER [--trials N]
+
+Prints one line a finding, writes FOLDER/figures.json, and ends with 1 if a promise is broken.
+"""
+
+import argparse
+import json
+import pathlib
+import sys
+
+import judgement
+from laboratory import HEIGHT, WIDTH, Laboratory, Load
+
+MS = judgement.MS
+REGION = (WIDTH // 2 - 20, HEIGHT // 2 - 8, 40, 16)  # on both halves of the flash's picture
+MOST_MEAN_MS = 1.0
+MOST_SD_MS = 1.0
+MOST_UNFLAGGED_MS = 5.0
+NEAR_MS = 1.0
+LEAST_NEAR = 0.99
+
+
+class Findings:
+    def __init__(self):
+        self.figures = {}
+        self.broken = 0
+
+    def require(self, name, is_kept, text):
+        print(f"{'ok    ' if is_kept else 'BROKEN'} {name}: {text}", flush=True)
+        self.broken += 0 if is_kept else 1
+
+    def note(self, name, figures):
+        self.figures[name] = figures
+        print(f"       {name}: {json.dumps(figures)}", flush=True)
+
+
+def level_of(frame):
+    return 255 * (frame % 4) // 3
+
+
+def flashes(laboratory, bimodal, name, trials, *options):
+    """Runs `bimodal timing` under observation: its reports, and what was seen."""
+    reports = laboratory.folder / f"{name}.reported.json"
+    with laboratory.observe(name, REGION) as observation:
+        code = laboratory.run(
+            [bimodal, "timing", "--trials", trials, "--width", WIDTH, "--height", HEIGHT]
+            + ["--json", reports, *options],
+            f"{name}.log",
+        )
+    if code != 0:
+        sys.exit(f"bimodal timing ended with {code}; see {laboratory.folder / name}.log")
+    return json.loads(reports.read_text())["trials"], observation.seen
+
+
+class Compared:
+    """Each trial after the first as it was seen, beside what was reported of it."""
+
+    def __init__(self, trials, seen, intended_ms=0.0):
+        light = judgement.onsets_of_light(seen)
+        sound = judgement.onsets_of_sound(seen)
+        self.offsets, self.flagged_offsets = [], []
+        self.visual_errors, self.auditory_errors, self.frame_errors = [], [], []
+        self.unseen = 0
+        for trial in trials[1:]:
+            if trial["visual_ns"] is None or trial["auditory_ns"] is None:
+                self.unseen += 0 if trial["flagged"] else 1
+                continue
+            seen_at = judgement.nearest(light, trial["visual_ns"])
+            heard_at = judgement.nearest(sound, trial["auditory_ns"])
+            if seen_at is None or heard_at is None:
+                self.unseen += 1
+                continue
+            offset = (heard_at - seen_at) / MS - intended_ms
+            if trial["flagged"]:
+                self.flagged_offsets.append(offset)
+                continue
+            self.offsets.append(offset)
+            self.visual_errors.append((trial["visual_ns"] - seen_at) / MS)
+            self.auditory_errors.append((trial["auditory_ns"] - heard_at) / MS)
+            frames = zip(trial["frames"], trial["shown_ns"])
+            self.frame_errors += judgement.judge_frames(seen, frames, level_of)
+
+    def near(self):
+        near = sum(e is not None and abs(e) <= NEAR_MS for e in self.frame_errors)
+        return near / len(self.frame_errors) if self.frame_errors else 0.0
+
+    def figures(self):
+        return {
+            "av_offset": judgement.moments(self.offsets),
+            "flagged": len(self.flagged_offsets),
+            "visual_reported_minus_seen": judgement.moments(self.visual_errors),
+            "auditory_reported_minus_heard": judgement.moments(self.auditory_errors),
+            "frames": len(self.frame_errors),
+            "frames_within_1_ms": self.near(),
+            "unseen": self.unseen,
+        }
+
+
+def require_promises(findings, name, compared, most_flagged):
+    figures = compared.figures()
+    findings.note(name, figures)
+    offset = figures["av_offset"]
+    worst = max((abs(o) for o in compared.offsets), default=float("inf"))
+    findings.require(name, compared.unseen == 0, f"{compared.unseen} unflagged trials unseen")
+    findings.require(
+        name,
+        offset["n"] > 1 and abs(offset["mean_ms"]) <= MOST_MEAN_MS,
+        f"mean audio-visual offset {offset['mean_ms']:+.3f} ms (at most {MOST_MEAN_MS:g})",
+    )
+    findings.require(
+        name, offset["sd_ms"] <= MOST_SD_MS, f"SD {offset['sd_ms']:.3f} ms (at most {MOST_SD_MS:g})"
+    )
+    findings.require(
+        name,
+        worst <= MOST_UNFLAGGED_MS,
+        f"the unflagged trial farthest off: {worst:.3f} ms (at most {MOST_UNFLAGGED_MS:g})",
+    )
+    findings.require(
+        name,
+        figures["flagged"] <= most_flagged,
+        f"{figures['flagged']} of {offset['n'] + figures['flagged']} flagged (at most {most_flagged})",
+    )
+    findings.require(
+        name,
+        figures["frames_within_1_ms"] >= LEAST_NEAR,
+        f"{100 * figures['frames_within_1_ms']:.2f} % of {figures['frames']} reported refreshes"
+        f" within 1 ms of the observed ones (at least {100 * LEAST_NEAR:g})",
+    )
+
+
+def misses_of_a_client(laboratory, clear_client, refreshes):
+    with laboratory.observe("clear", REGION) as observation:
+        laboratory.run([clear_client, refreshes], "clear.log")
+    return judgement.missed_refreshes(observation.seen)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("bimodal")
+    parser.add_argument("observer")
+    parser.add_argument("clear_client")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--trials", type=int, default=201)
+    given = parser.parse_args()
+    findings = Findings()
+    with Laboratory(given.observer, given.folder) as laboratory:
+        missed, drawn = misses_of_a_client(laboratory, given.clear_client, 3600)
+        findings.note("a client that only clears the screen", {"missed": missed, "of": drawn})
+        trials, seen = flashes(laboratory, given.bimodal, "flashes", given.trials)
+        compared = Compared(trials, seen)
+        refreshes = len(compared.frame_errors)
+        # As many as that client misses in as many refreshes, and chance.
+        expected = missed * refreshes / max(drawn, 1)
+        most = round(expected + 3 * (expected + 1) ** 0.5)
+        require_promises(findings, "flashes", compared, most)
+
+        trials, seen = flashes(laboratory, given.bimodal, "offset", 21, "--av-offset-ms", "20")
+        shifted = Compared(trials, seen, 20.0).figures()["av_offset"]
+        findings.require(
+            "an intended offset of 20 ms",
+            abs(shifted["mean_ms"]) <= MOST_MEAN_MS,
+            f"{20 + shifted['mean_ms']:+.3f} ms, SD {shifted['sd_ms']:.3f}",
+        )
+
+        with Load():
+            trials, seen = flashes(laboratory, given.bimodal, "loaded", 61)
+        loaded = Compared(trials, seen)
+        findings.note("both cores loaded", loaded.figures())
+        frame_ms = 1000 / 60
+        unflagged = sum(abs(offset) > frame_ms for offset in loaded.offsets)
+        findings.require(
+            "both cores loaded",
+            unflagged == 0 and loaded.unseen == 0,
+            f"{unflagged} unflagged trials off by more than a frame, {loaded.unseen} unseen",
+        )
+    (given.folder / "figures.json").write_text(json.dumps(findings.figures, indent=1))
+    sys.exit(1 if findings.broken else 0)
+
+
+if __name__ == "__main__":
+    main()
