@@ -50,4 +50,17 @@ ClockPair output_reading(const CallbackTimes& times,
   return {times.sample, times.entry + Duration{std::llround(ahead)}};
 }
 
+CallbackTimes mirrored(const CallbackTimes& times) {
+  auto ahead = times;
+  ahead.output = times.current + (times.current - times.output);
+  return ahead;
+}
+
+ClockPair input_reading(const CallbackTimes& times,
+                        bool stream_times_plausible,
+                        Duration latency) {
+  const auto ahead = output_reading(mirrored(times), stream_times_plausible, latency);
+  return {times.sample, times.entry - (ahead.instant - times.entry)};
+}
+
 }  // namespace bimodal::runner

@@ -35,4 +35,13 @@ struct TimeSourceVerdict {
                                        bool stream_times_plausible,
                                        Duration latency);
 
+/// The same of a stream of input, whose callback is told in `output` when the buffer's first sample
+/// was captured, before the host's now: its times as those of an output that is as far ahead.
+[[nodiscard]] CallbackTimes mirrored(const CallbackTimes& times);
+
+/// When the first sample of an input's buffer was captured; `times` as the callback was told.
+[[nodiscard]] ClockPair input_reading(const CallbackTimes& times,
+                                      bool stream_times_plausible,
+                                      Duration latency);
+
 }  // namespace bimodal::runner

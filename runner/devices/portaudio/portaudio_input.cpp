@@ -1,6 +1,6 @@
 #include "runner/devices/portaudio/portaudio_input.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include <fmt/format.h>
@@ -11,6 +11,9 @@
 #include "runner/devices/portaudio/portaudio_session.hpp"
 #include "runner/devices/portaudio/portaudio_stream.hpp"
 #include "runner/realtime/capture_buffer.hpp"
+#include "runner/realtime/latest_ring.hpp"
+#include "runner/timing/stream_times.hpp"
+#include "stimuli/base/counted.hpp"
 
 namespace bimodal::runner {
 
@@ -19,6 +22,8 @@ namespace {
 constexpr std::size_t kBuffered = 1UL << 18U;  ///< samples: 5.4 s at 48 kHz
 constexpr Duration kLongestStart = std::chrono::seconds{3};
 constexpr Duration kLostAfter = std::chrono::seconds{1};
+constexpr std::size_t kReadings = 1024;
+constexpr std::size_t kJudged = 64;  ///< readings by which stream times are judged
 
 }  // namespace
 
@@ -32,6 +37,14 @@ struct PortaudioInput::Stream {
   Stream& operator=(Stream&&) = delete;
   ~Stream();
 
+  /// What the callback was told, in words of 64 bits.
+  struct Reading {
+    std::int64_t frame;
+    std::int64_t entry_ns;
+    double current;
+    double captured;
+  };
+
   static int callback(const void* input,
                       void* output,
                       unsigned long frames,
@@ -43,12 +56,16 @@ struct PortaudioInput::Stream {
   void await_sound();
   void close() noexcept;
   std::size_t drain(std::vector<float>* samples);
+  void follow_clock();
 
   PortaudioSession session;
   AudioDevice device;
   Hertz rate;
-  std::size_t channels = 1;
+  std::size_t channels = 1;  ///< of the stream
+  std::size_t taken = 1;     ///< of them
   CaptureBuffer<kBuffered> buffer;
+  LatestRing<Reading, kReadings> readings;
+  std::int64_t delivered = 0;  ///< frames; for the callback
 
   PaStream* stream = nullptr;
   MonotonicClock clock;
@@ -56,10 +73,19 @@ struct PortaudioInput::Stream {
   bool captures = false;
   bool gone = false;
   std::int64_t lost_before = 0;
+  std::int64_t drained = 0;  ///< frames
+  std::int64_t first = 0;
+  std::vector<CallbackTimes> first_times;  ///< until they are judged
+  bool stream_times_plausible = false;
+  ClockMap map;
 };
 
 PortaudioInput::Stream::Stream(const PortaudioInputOptions& options)
-    : device{choose_device(session.inputs(), options.device, kRecording)}, rate{options.rate} {
+    : device{choose_device(session.inputs(), options.device, kRecording)},
+      rate{options.rate},
+      taken{options.channels},
+      buffer{options.channels},
+      map{options.rate} {
   open();
   try {
     await_sound();
@@ -101,16 +127,17 @@ void PortaudioInput::Stream::open() {
                          &Stream::callback,
                          this);
   };
-  PaError failure = try_with(1);
-  // Some hardware has no stream of one channel.
-  if (failure == paInvalidChannelCount && device.channels > 1) {
+  PaError failure = try_with(taken);
+  // Some hardware has no stream of fewer channels than it has.
+  if (failure == paInvalidChannelCount && static_cast<std::size_t>(device.channels) > taken) {
     failure = try_with(static_cast<std::size_t>(device.channels));
   }
   failure = start_stream(failure, stream, device);
   if (failure != paNoError) {
     throw DeviceError{fmt::format(
-        "cannot open the microphone '{}' at {} samples per second: {}; choose another --rate or "
-        "--device",
+        "cannot open {} of the microphone '{}' at {} samples per second: {}; choose another --rate "
+        "or --device",
+        counted(taken, "channel"),
         describe(device),
         rate.count(),
         Pa_GetErrorText(failure))};
@@ -121,11 +148,16 @@ void PortaudioInput::Stream::open() {
 int PortaudioInput::Stream::callback(const void* input,
                                      void* /*output*/,
                                      unsigned long frames,
-                                     const PaStreamCallbackTimeInfo* /*times*/,
+                                     const PaStreamCallbackTimeInfo* times,
                                      PaStreamCallbackFlags flags,
                                      void* stream) noexcept {
   if (input == nullptr) return paContinue;
   auto& self = *static_cast<Stream*>(stream);
+  self.readings.push({self.delivered,
+                      MonotonicClock{}.now().time_since_epoch().count(),
+                      times != nullptr ? times->currentTime : 0.0,
+                      times != nullptr ? times->inputBufferAdcTime : 0.0});
+  self.delivered += static_cast<std::int64_t>(frames);
   self.buffer.write({static_cast<const float*>(input), frames * self.channels},
                     self.channels,
                     (flags & paInputOverflow) != 0);
@@ -154,7 +186,24 @@ std::size_t PortaudioInput::Stream::drain(std::vector<float>* samples) {
     if (samples != nullptr) samples->push_back(*sample);
   }
   if (count > 0) last_sound = clock.now();
+  drained += static_cast<std::int64_t>(count / taken);
+  follow_clock();
   return count;
+}
+
+void PortaudioInput::Stream::follow_clock() {
+  const double stated = Pa_GetStreamInfo(stream)->inputLatency;
+  const Duration latency{std::llround(stated * 1e9)};
+  while (const auto reading = readings.try_pop()) {
+    const CallbackTimes times{
+        reading->frame, Instant{Duration{reading->entry_ns}}, reading->current, reading->captured};
+    if (first_times.size() < kJudged) {
+      first_times.push_back(mirrored(times));
+      stream_times_plausible = judge_stream_times(first_times, rate).plausible;
+      continue;
+    }
+    map.add(input_reading(times, stream_times_plausible, latency));
+  }
 }
 
 std::vector<std::string> describe_microphones() {
@@ -171,6 +220,7 @@ PortaudioInput::~PortaudioInput() = default;
 
 void PortaudioInput::start() {
   stream_->drain(nullptr);
+  stream_->first = stream_->drained;
   stream_->last_sound = stream_->clock.now();
   stream_->lost_before = stream_->buffer.lost();
   stream_->captures = true;
@@ -193,6 +243,21 @@ void PortaudioInput::stop() {
 
 std::int64_t PortaudioInput::lost() const {
   return stream_->buffer.lost() - stream_->lost_before;
+}
+
+std::size_t PortaudioInput::channels() const {
+  return stream_->taken;
+}
+
+std::int64_t PortaudioInput::first_frame() const {
+  return stream_->first;
+}
+
+std::optional<DeviceClock> PortaudioInput::clock() {
+  stream_->follow_clock();
+  const auto& fit = stream_->map.fit();
+  if (!fit) return std::nullopt;
+  return DeviceClock{*fit, stream_->map.jumps()};
 }
 
 Hertz PortaudioInput::rate() const {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +15,7 @@ struct PortaudioInputOptions {
   std::string device;  ///< index, or part of a name as describe_microphones() prints it; empty: the
                        ///< default device
   Hertz rate{48'000};
+  std::size_t channels = 1;  ///< the first so many of the device
 };
 
 /// One line per device with inputs: "2: system (JACK Audio Connection Kit), 2 channels, 48000
@@ -19,7 +23,8 @@ struct PortaudioInputOptions {
 [[nodiscard]] std::vector<std::string> describe_microphones();
 
 /// An always-running PortAudio stream, whose callback only puts samples into a buffer of some
-/// seconds. Of a device with several channels the first is taken.
+/// seconds, and takes times, to which a clock map from frames to the session clock is fitted on this
+/// side.
 class PortaudioInput final : public AudioInput {
  public:
   /// Opens the stream and waits for its first samples. Throws DeviceError, naming the devices found
@@ -35,6 +40,9 @@ class PortaudioInput final : public AudioInput {
   void collect(std::vector<float>& samples) override;
   void stop() override;
   [[nodiscard]] std::int64_t lost() const override;
+  [[nodiscard]] std::size_t channels() const override;
+  [[nodiscard]] std::int64_t first_frame() const override;
+  [[nodiscard]] std::optional<DeviceClock> clock() override;
   [[nodiscard]] Hertz rate() const override;
   [[nodiscard]] std::string kind() const override;
   [[nodiscard]] std::string description() const override;

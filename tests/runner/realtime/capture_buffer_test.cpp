@@ -23,6 +23,19 @@ TEST(CaptureBuffer, TakesTheFirstChannel) {
   EXPECT_EQ(buffer.lost(), 0);
 }
 
+TEST(CaptureBuffer, TakesOrLosesFramesWhole) {
+  CaptureBuffer<4> buffer{2};
+  constexpr std::array<float, 9> kThree{1, -1, 9, 2, -2, 9, 3, -3, 9};
+  buffer.write(kThree, 3, false);
+  for (const float expected : {1.0F, -1.0F, 2.0F, -2.0F}) EXPECT_EQ(buffer.try_pop(), expected);
+  EXPECT_FALSE(buffer.try_pop());
+  EXPECT_EQ(buffer.lost(), 1);
+  buffer.write(std::span{kThree}.first(3), 3, false);
+  EXPECT_EQ(buffer.try_pop(), 1.0F);
+  buffer.write(std::span{kThree}.last(6), 3, false);  // room for one and a half
+  EXPECT_EQ(buffer.lost(), 2);
+}
+
 TEST(CaptureBuffer, CountsWhatDoesNotFitAndWhatTheDeviceLost) {
   CaptureBuffer<4> buffer;
   constexpr std::array<float, 6> kSamples{1, 2, 3, 4, 5, 6};

@@ -86,5 +86,17 @@ TEST(OutputReading, AddsWhatTheHostIsAheadOrElseItsLatency) {
             (ClockPair{480, Instant{std::chrono::milliseconds{2'040}}}));
 }
 
+TEST(StreamTimes, OfAnInputLieAsFarBeforeAsTheyAreStated) {
+  auto times = readings(5.0);
+  for (auto& t : times) t.output = t.current - 0.004;
+  std::vector<CallbackTimes> ahead;
+  for (const auto& t : times) ahead.push_back(mirrored(t));
+  EXPECT_EQ(reason(ahead), "plausible");
+  const auto pair = input_reading(times[3], true, Duration{});
+  EXPECT_EQ(pair.sample, times[3].sample);
+  EXPECT_NEAR(static_cast<double>((times[3].entry - pair.instant).count()), 4e6, 10);
+  EXPECT_EQ(input_reading(times[3], false, Duration{7}).instant, times[3].entry - Duration{7});
+}
+
 }  // namespace
 }  // namespace bimodal::runner
