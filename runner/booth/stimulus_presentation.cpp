@@ -63,7 +63,8 @@ class StimulusLoop {
         shown_{trial, record.refreshes} {}
 
   void run() {
-    if (trial_.sound) booth_.audio.schedule(*trial_.sound, cues_.sound_onset());
+    const auto jumps = clock_jumps();
+    if (trial_.sound) booth_.audio.schedule(*trial_.sound, device_onset());
     while (true) {
       follow_screen();
       const auto due = next_refresh();
@@ -78,6 +79,9 @@ class StimulusLoop {
     if (trial_.frames > 0) report_picture();
     if (trial_.sound) report_sound();
     report_offset();
+    if (trial_.sound && clock_jumps() != jumps) {
+      note("sound_jump", "the sound's clock jumped: samples came late by whole buffers");
+    }
     report_clocks();
   }
 
@@ -86,11 +90,16 @@ class StimulusLoop {
   /// without a sound until time zero was shown.
   void follow_screen() {
     const bool begins_later =
-        !trial_.sound || booth_.clock.now() + booth_.audio.lead_time() < cues_.sound_onset();
+        !trial_.sound || booth_.clock.now() + booth_.audio.lead_time() < device_onset();
     settled_ = settled_ || !begins_later || shown_.zero();
     if (settled_) return;
     cues_.follow(booth_.display.refresh());
-    if (trial_.sound) booth_.audio.move(cues_.sound_onset());
+    if (trial_.sound) booth_.audio.move(device_onset());
+  }
+
+  /// When the sound's device is to say that the first sample is heard.
+  [[nodiscard]] Instant device_onset() const {
+    return cues_.sound_onset() + booth_.reference.line_after - booth_.reference.sound_after;
   }
 
   /// The first refresh that can still be met.
@@ -128,15 +137,22 @@ class StimulusLoop {
 
   void report_picture() {
     OnsetRecord onset{.modality = "visual",
-                      .planned = since_zero(cues_.visual_zero()),
+                      .planned = since_zero(cues_.visual_zero() + booth_.reference.line_after),
                       .source = std::string{name(shown_.source())}};
-    if (const auto zero = shown_.zero()) onset.reported = since_zero(*zero);
+    if (const auto zero = shown_.zero()) {
+      onset.reported = since_zero(*zero + booth_.reference.line_after);
+    }
     record_.onsets.push_back(onset);
     note_refreshes("late_frame", shown_.missed(), "late");
     note_refreshes("early_frame", shown_.early(), "early");
     if (booth_.display.time_source() != TimeSource::Predicted) {
       note_refreshes("frame_unreported", shown_.unreported(), "not reported by the display");
     }
+  }
+
+  [[nodiscard]] int clock_jumps() const {
+    const auto clock = booth_.audio.clock();
+    return clock ? clock->jumps : 0;
   }
 
   void note_refreshes(const char* kind, int count, std::string_view how) {
@@ -152,11 +168,12 @@ class StimulusLoop {
       playback = booth_.audio.playback();
     }
     OnsetRecord onset{.modality = "auditory",
-                      .planned = since_zero(cues_.auditory_zero()),
+                      .planned = since_zero(cues_.auditory_zero() + booth_.reference.line_after),
                       .source = std::string{playback.source}};
     if (playback.onset) {
-      onset.reported = since_zero(*playback.onset + trial_.layout.sound_lead);
-      const auto lateness = *playback.onset - cues_.sound_onset();
+      onset.reported = since_zero(*playback.onset + booth_.reference.sound_after +
+                                  trial_.layout.sound_lead);
+      const auto lateness = *playback.onset - device_onset();
       if (std::chrono::abs(lateness) > kSoundTolerance) {
         note("late_sound", fmt::format("{:+.2f} ms against the plan", milliseconds(lateness)));
       }
