@@ -63,6 +63,9 @@ struct Presentation {
   Instant onset;  ///< the refresh at which the screen appeared
   TimeSource source = TimeSource::Predicted;
   Duration lateness{};  ///< onset minus deadline, > half a period when a refresh was missed
+  /// The refresh of that onset, counted by the screen since some origin: pictures meant for
+  /// consecutive refreshes whose counts differ by 2 missed one. Absent: nobody counts them.
+  std::optional<std::uint64_t> refresh{};
 };
 
 /// A screen that shows prepared pictures at refresh boundaries. Used by one thread.

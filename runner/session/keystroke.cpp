@@ -1,5 +1,7 @@
 #include "runner/session/keystroke.hpp"
 
+#include <fmt/format.h>
+
 namespace bimodal::runner {
 
 std::string label(const Keystroke& stroke) {
@@ -16,6 +18,10 @@ std::string label(const Keystroke& stroke) {
       return "Escape";
     case Key::WindowClosed:
       return "WindowClosed";
+    case Key::Pointer:
+      return fmt::format("Pointer{} {:.4f} {:.4f}", stroke.button, stroke.x, stroke.y);
+    case Key::Button:
+      return fmt::format("Button{}", stroke.button);
   }
   return {};
 }

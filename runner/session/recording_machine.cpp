@@ -120,6 +120,7 @@ bool RecordingMachine::is_held_key(const Keystroke& stroke) {
 }
 
 RecordingMachine::Commands RecordingMachine::on_key(const Keystroke& stroke) {
+  if (is_button_press(stroke)) return {};
   if (is_held_key(stroke)) return {};
   if (phase_ == Phase::Confirming) return on_confirming(stroke);
   if (asks_to_stop(stroke)) return ask_to_stop(stroke.at);

@@ -50,6 +50,7 @@ std::vector<TrialCommand> TrialMachine::on_answer_key(const Keystroke& stroke) {
     return {};
   }
   if (stroke.key == Key::Enter) return finish(stroke.at, false);
+  if (is_button_press(stroke)) return {};
   if (stroke.key == Key::Left) return {};  // moves nothing: answers are typed at their end
   if (!first_key_) first_key_ = stroke.at;
   if (stroke.key == Key::Backspace) entry_.erase();

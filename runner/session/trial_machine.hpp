@@ -52,8 +52,8 @@ struct TrialRules {
 
 /// The life of one trial: fixation, stimulus, typed answer. Escape (or closing the window) asks for
 /// confirmation at any time; the question is put once the stimulus has ended. Escape again stops
-/// the session, Enter goes back to the answer. A pure state machine: a recorded session can be
-/// replayed event by event.
+/// the session, Enter goes back to the answer. Clicks and buttons do nothing. A pure state machine:
+/// a recorded session can be replayed event by event.
 class TrialMachine {
  public:
   explicit TrialMachine(const TrialRules& rules) : rules_{rules}, entry_{rules.longest_answer} {}

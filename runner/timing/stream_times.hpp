@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 
 #include "runner/timing/clock_map.hpp"
+#include "runner/timing/time_source_verdict.hpp"
 #include "stimuli/base/quantity.hpp"
 
 namespace bimodal::runner {
@@ -16,11 +16,6 @@ struct CallbackTimes {
   Instant entry;            ///< session clock when the callback began
   double current = 0.0;     ///< the host's "now" when it called
   double output = 0.0;      ///< when the buffer's first sample will be at the output
-};
-
-struct TimeSourceVerdict {
-  bool plausible = false;
-  std::string_view reason;  ///< why not, for the record
 };
 
 /// Whether the host's stream times can be believed: finite, not zero, not constant, the output 0 to

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <cstddef>
+#include <span>
+#include <utility>
 
-#include <SDL.h>
-#include <SDL_syswm.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+
+#include "runner/devices/sdl/window_reports.hpp"
 
 namespace bimodal::runner {
 namespace {
@@ -15,56 +17,65 @@ namespace {
 constexpr int kUncountedFlips = 20;
 constexpr int kMeasuredFlips = 100;
 constexpr int kToleratedSilences = 5;  ///< a window just opened may be shown a little later
-constexpr Duration kPumpEvery = std::chrono::milliseconds{50};
+constexpr Duration kPumpEvery = std::chrono::milliseconds{1};
 constexpr Duration kPatience = std::chrono::milliseconds{100};  ///< for one report
 
 double milliseconds(Duration duration) {
   return std::chrono::duration<double, std::milli>{duration}.count();
 }
 
-std::unique_ptr<SurfaceFeedback> feedback_of(const SdlWindow& window) {
-  SDL_SysWMinfo native;
-  SDL_VERSION(&native.version);
-  if (SDL_GetWindowWMInfo(window.native(), &native) != SDL_TRUE) return nullptr;
-  if (native.subsystem != SDL_SYSWM_WAYLAND) return nullptr;
-  const auto& wayland = native.info.wl;
-  return std::make_unique<SurfaceFeedback>(wayland.display, wayland.surface);
-}
-
 }  // namespace
 
 SdlDisplay::SdlDisplay(SdlWindow& window, const Screen& opening)
-    : window_{window}, painter_{window.background()}, feedback_{feedback_of(window)} {
+    : window_{window}, painter_{window.background()}, pump_{[this] { window_.pump(); }} {
   measure_refresh(opening);
 }
 
 void SdlDisplay::measure_refresh(const Screen& opening) {
-  using Kind = SurfaceFeedback::Kind;
-  if (feedback_ && feedback_->offers(Kind::Presented) &&
-      measure_answers(Kind::Presented, opening)) {
-    source_ = TimeSource::DriverReported;
-  } else if (feedback_ ? measure_answers(Kind::FrameDrawn, opening) : measure_swaps(opening)) {
+  for (auto& candidate : report_candidates(window_, clock_)) {
+    if (candidate.reports) {
+      reports_ = std::move(candidate.reports);
+      candidate.refusal = measure_reports(opening);
+      if (candidate.refusal.empty()) {
+        source_ = reports_->source();
+        return;
+      }
+      reports_.reset();
+    }
+    not_used_ += fmt::format("; not by {}: {}", candidate.name, candidate.refusal);
+  }
+  if (SdlWindow::driver() != "wayland" && measure_swaps(opening)) {
     source_ = TimeSource::SwapReturned;
   } else {
     nominal_ = {.period = period_of(window_.nominal_rate()), .phase = clock_.now()};
   }
 }
 
-/// False when the compositor leaves 5 flips without an answer.
-bool SdlDisplay::measure_answers(SurfaceFeedback::Kind kind, const Screen& opening) {
-  answer_ = kind;
+/// Why the reports cannot be used; empty: they can.
+std::string SdlDisplay::measure_reports(const Screen& opening) {
   meter_ = RefreshMeter{};
+  std::array<ReceivedReport, kMeasuredFlips + 1> received{};
+  std::size_t count = 0;
   int unanswered = 0;
   for (int flip = 0; flip < kUncountedFlips + kMeasuredFlips + 1; ++flip) {
-    SdlWindow::pump();
+    window_.pump();
     painter_.draw(opening, window_.size());
-    feedback_->request(kind);
+    reports_->request();
     window_.swap();
-    const auto shown = feedback_->await(kPatience);
-    if (!shown && ++unanswered == kToleratedSilences) return false;
-    if (shown && flip >= kUncountedFlips) meter_.add(*shown);
+    const auto report = reports_->await(kPatience, pump_);
+    if (!report && ++unanswered == kToleratedSilences) {
+      return fmt::format("no answer to {} of {} pictures", unanswered, flip + 1);
+    }
+    if (!report || flip < kUncountedFlips) continue;
+    received.at(count++) = {.report = *report, .received = clock_.now()};
   }
-  return true;
+  const auto reports = std::span{received}.first(count);
+  const auto verdict = judge_reports(reports);
+  if (!verdict.plausible) return std::string{verdict.reason};
+  for (const auto& each : reports) meter_.add(each.report.shown);
+  last_shown_ = reports.back().report.shown;
+  counted_ = counts_refreshes(reports, meter_.estimate().period);
+  return {};
 }
 
 /// False when the swap does not wait for the screen.
@@ -74,7 +85,7 @@ bool SdlDisplay::measure_swaps(const Screen& opening) {
   auto last = clock_.now();
   for (int flip = 0; flip < kUncountedFlips + kMeasuredFlips + 1; ++flip) {
     if (flip == kUncountedFlips && !swap_waits(intervals, nominal)) return false;
-    SdlWindow::pump();
+    window_.pump();
     painter_.draw(opening, window_.size());
     window_.swap();
     const auto returned = clock_.now();
@@ -102,18 +113,22 @@ Presentation SdlDisplay::present(const Screen& screen, Instant deadline) {
   wait_until(plan.submit);
   painter_.draw(screen, window_.size());
   auto presentation = source_ == TimeSource::Predicted ? present_clocked(plan)
-                      : feedback_                      ? present_answered(plan)
+                      : reports_                       ? present_reported(plan)
                                                        : present_swapped(plan);
   presentation.lateness = presentation.onset - deadline;
   return presentation;
 }
 
-Presentation SdlDisplay::present_answered(const RefreshPlan& plan) {
-  feedback_->request(answer_);
+Presentation SdlDisplay::present_reported(const RefreshPlan& plan) {
+  reports_->request();
   window_.swap();
-  if (const auto shown = feedback_->await(kPatience)) {
-    meter_.add(*shown);
-    return {.onset = *shown, .source = source_};
+  const auto report = reports_->await(kPatience, pump_);
+  if (report && report->shown > last_shown_) {
+    last_shown_ = report->shown;
+    meter_.add(report->shown);
+    return {.onset = report->shown,
+            .source = source_,
+            .refresh = counted_ ? report->refresh : std::nullopt};
   }
   return {.onset = std::max(plan.target, clock_.now()), .source = TimeSource::Predicted};
 }
@@ -123,7 +138,7 @@ Presentation SdlDisplay::present_swapped(const RefreshPlan& plan) {
   const auto returned = clock_.now();
   const auto [onset, seen] = onset_of_swap(meter_.estimate(), plan, returned);
   if (!seen) {
-    sleep_until(onset);
+    wait_until(onset);
     return {.onset = onset, .source = TimeSource::Predicted};
   }
   meter_.add(onset);
@@ -132,15 +147,15 @@ Presentation SdlDisplay::present_swapped(const RefreshPlan& plan) {
 
 Presentation SdlDisplay::present_clocked(const RefreshPlan& plan) {
   glFinish();
-  sleep_until(plan.target);
+  wait_until(plan.target);
   window_.swap();
   return {.onset = clock_.now(), .source = TimeSource::Predicted};
 }
 
 void SdlDisplay::wait_until(Instant instant) {
   while (instant - clock_.now() > kPumpEvery) {
-    SdlWindow::pump();
     sleep_until(std::min(instant, clock_.now() + kPumpEvery));
+    window_.pump();
   }
   sleep_until(instant);
 }
@@ -156,28 +171,27 @@ std::string SdlDisplay::description() const {
   if (source_ == TimeSource::Predicted) {
     return fmt::format(
         "{}; this display does not report refreshes: they are kept by the clock at its nominal "
-        "{:g} Hz, and onsets are predicted",
+        "{:g} Hz, and onsets are predicted{}",
         device,
-        window_.nominal_rate().count());
+        window_.nominal_rate().count(),
+        not_used_);
   }
   return fmt::format(
-      "{}, display mode {:g} Hz, period {:.4f} ms, SD {:.4f} ms over {} periods; onsets {}",
+      "{}, display mode {:g} Hz, period {:.4f} ms, SD {:.4f} ms over {} periods; onsets {}{}",
       device,
       window_.nominal_rate().count(),
       milliseconds(grid.period),
       milliseconds(grid.deviation),
       grid.count,
-      describe_source());
+      describe_source(),
+      not_used_);
 }
 
 std::string SdlDisplay::describe_source() const {
-  if (!feedback_) return "from the return of the swap";
-  if (source_ == TimeSource::SwapReturned) {
-    return "from the compositor's frame callbacks, up to one refresh before a picture is visible";
-  }
-  const auto stated = feedback_->stated_period();
-  auto text = fmt::format("reported by the compositor, stamped by {}",
-                          feedback_->hardware_stamped() ? "the display hardware" : "its own clock");
+  if (!reports_) return "from the return of the swap";
+  auto text = reports_->description();
+  if (counted_) text += ", with a count of refreshes";
+  const auto stated = reports_->stated_period();
   if (stated > Duration::zero() && 2 * refresh().period > 3 * stated) {
     text += fmt::format("; it shows a new picture only every {:.1f} refreshes of {:.4f} ms",
                         milliseconds(refresh().period) / milliseconds(stated),

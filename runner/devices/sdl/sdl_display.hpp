@@ -1,27 +1,31 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "runner/devices/display.hpp"
 #include "runner/devices/monotonic_clock.hpp"
+#include "runner/devices/presentation_reports.hpp"
 #include "runner/devices/sdl/screen_painter.hpp"
 #include "runner/devices/sdl/sdl_window.hpp"
-#include "runner/devices/wayland/surface_feedback.hpp"
 #include "runner/timing/pacing.hpp"
 #include "runner/timing/refresh_meter.hpp"
 
 namespace bimodal::runner {
 
-/// A real screen. Where the instant of a presentation comes from is found out at start-up:
+/// A real screen. Where the instant of a presentation comes from is found out at start-up, best
+/// first; what is not used, and why, is in the description:
 ///  - Wayland with wp_presentation: the compositor's report (driver_reported);
-///  - Wayland without its answers: the instant at which the compositor, having drawn the window,
-///  let
-///    the swap's caller go on (swap_returned; on a real screen up to one refresh too early);
-///  - a driver whose swap waits for the refresh: the instant at which glFinish returned after the
-///    swap (swap_returned);
-///  - neither (Xvfb, no vertical sync): refreshes of the nominal rate are kept by the clock and
-///    the onset is the instant at which the drawn screen was handed over (predicted).
-/// A presentation that got no report is "predicted" by itself, whatever the others are.
+///  - X11 with GLX_OML_sync_control: the driver's report (driver_reported);
+///  - Wayland without reports: the instant at which the compositor, having drawn the window, asks
+///    for the next picture (swap_returned; on a real screen up to one refresh too early);
+///  - a driver whose swap waits for the refresh (X11, KMSDRM): the instant at which glFinish
+///    returned after the swap (swap_returned);
+///  - none of these (Xvfb, no vertical sync): refreshes of the nominal rate are kept by the clock
+///    and the onset is the instant at which the drawn screen was handed over (predicted).
+/// Reports are used only if they are plausible (judge_reports). A presentation that got no report
+/// is "predicted" by itself, whatever the others are. While it waits, events are taken in every
+/// millisecond.
 class SdlDisplay final : public Display {
  public:
   /// Measures the refresh over 100 flips after 20 that are not counted: 2 s at 60 Hz, in which
@@ -45,19 +49,22 @@ class SdlDisplay final : public Display {
 
  private:
   void measure_refresh(const Screen& opening);
-  [[nodiscard]] bool measure_answers(SurfaceFeedback::Kind kind, const Screen& opening);
+  [[nodiscard]] std::string measure_reports(const Screen& opening);
   [[nodiscard]] bool measure_swaps(const Screen& opening);
   [[nodiscard]] std::string describe_source() const;
   void wait_until(Instant instant);
-  Presentation present_answered(const RefreshPlan& plan);
+  Presentation present_reported(const RefreshPlan& plan);
   Presentation present_swapped(const RefreshPlan& plan);
   Presentation present_clocked(const RefreshPlan& plan);
 
   SdlWindow& window_;  ///< borrowed
   ScreenPainter painter_;
   MonotonicClock clock_;
-  std::unique_ptr<SurfaceFeedback> feedback_;  ///< under Wayland
-  SurfaceFeedback::Kind answer_ = SurfaceFeedback::Kind::Presented;
+  PresentationReports::Meanwhile pump_;
+  std::unique_ptr<PresentationReports> reports_;  ///< that are used, if any
+  bool counted_ = false;                          ///< they count refreshes
+  Instant last_shown_;                            ///< by their word
+  std::string not_used_;                          ///< better sources, each with the reason
   RefreshMeter meter_;
   RefreshEstimate nominal_;  ///< where nothing can be measured
   TimeSource source_ = TimeSource::Predicted;

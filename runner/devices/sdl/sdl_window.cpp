@@ -74,7 +74,7 @@ void SdlWindow::open() {
   context_ = SDL_GL_CreateContext(window_);
   if (context_ == nullptr) fail("cannot make an OpenGL 3.3 context");
   SDL_GL_SetSwapInterval(1);  // whether it helps is measured, not asked
-  SDL_ShowCursor(SDL_DISABLE);
+  show_pointer(false);
 }
 
 void SdlWindow::close() noexcept {
@@ -86,6 +86,12 @@ void SdlWindow::close() noexcept {
 SdlWindow::Size SdlWindow::size() const {
   Size size;
   SDL_GL_GetDrawableSize(window_, &size.width, &size.height);
+  return size;
+}
+
+SdlWindow::Size SdlWindow::points() const {
+  Size size;
+  SDL_GetWindowSize(window_, &size.width, &size.height);
   return size;
 }
 
@@ -117,7 +123,12 @@ void SdlWindow::swap() {
 }
 
 void SdlWindow::pump() {
+  previous_pump_ = std::exchange(pump_, clock_.now());
   SDL_PumpEvents();
+}
+
+void SdlWindow::show_pointer(bool shown) {
+  SDL_ShowCursor(shown ? SDL_ENABLE : SDL_DISABLE);
 }
 
 }  // namespace bimodal::runner

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "runner/devices/monotonic_clock.hpp"
 #include "stimuli/base/quantity.hpp"
 
 struct SDL_Window;
@@ -39,6 +40,7 @@ class SdlWindow {
   };
 
   [[nodiscard]] Size size() const;              ///< drawable pixels, now
+  [[nodiscard]] Size points() const;            ///< the unit of mouse positions, now
   [[nodiscard]] static std::string driver();    ///< SDL's video driver, "wayland", "x11", ...
   [[nodiscard]] static std::string renderer();  ///< who draws, as OpenGL names it
   [[nodiscard]] Hertz nominal_rate() const;     ///< of the display mode; 60 where it says nothing
@@ -48,8 +50,16 @@ class SdlWindow {
   /// Hands the drawn picture over and returns when the driver has taken it.
   void swap();
 
-  /// Lets the window system know that the program is alive; events stay queued.
-  static void pump();
+  /// Takes in what has come from the window system and the devices, and lets it know that the
+  /// program is alive; events stay queued. To be called every millisecond or so while waiting.
+  void pump();
+
+  /// When the pump before the present one (or, between pumps, before the last) began: what is
+  /// queued in this one had not come by then.
+  [[nodiscard]] Instant nothing_before() const { return previous_pump_; }
+
+  /// The mouse cursor is hidden until it is asked for.
+  static void show_pointer(bool shown);
 
   [[nodiscard]] SDL_Window* native() const { return window_; }
 
@@ -60,6 +70,9 @@ class SdlWindow {
   Options options_;
   SDL_Window* window_ = nullptr;
   void* context_ = nullptr;
+  MonotonicClock clock_;
+  Instant previous_pump_ = clock_.now();
+  Instant pump_ = previous_pump_;
 };
 
 }  // namespace bimodal::runner

@@ -1,6 +1,9 @@
 #include "runner/devices/simulated/simulated_keyboard.hpp"
 
+#include <chrono>
 #include <iterator>
+
+#include <fmt/format.h>
 
 namespace bimodal::runner {
 namespace {
@@ -46,6 +49,13 @@ std::vector<Keystroke> SimulatedKeyboard::poll() {
   const auto begin = planned_.begin();
   return {std::next(begin, static_cast<std::ptrdiff_t>(first)),
           std::next(begin, static_cast<std::ptrdiff_t>(typed_))};
+}
+
+std::string SimulatedKeyboard::description() const {
+  return fmt::format(
+      "simulated: the first key {} ms after an answer is awaited, then every {} ms",
+      std::chrono::duration_cast<std::chrono::milliseconds>(options_.first_key).count(),
+      std::chrono::duration_cast<std::chrono::milliseconds>(options_.between_keys).count());
 }
 
 }  // namespace bimodal::runner

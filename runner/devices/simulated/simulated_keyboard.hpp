@@ -26,6 +26,8 @@ class SimulatedKeyboard final : public Keyboard {
   /// One key per character of `answer` (UTF-8). What is left of an earlier answer is not typed.
   void expect(std::string_view answer, Instant from) override;
 
+  [[nodiscard]] std::string description() const override;
+
  private:
   const Clock& clock_;  ///< borrowed
   Options options_;

@@ -2,7 +2,10 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
+#include "runner/devices/presentation_reports.hpp"
 #include "stimuli/base/quantity.hpp"
 
 struct wl_display;
@@ -10,11 +13,22 @@ struct wl_surface;
 
 namespace bimodal::runner {
 
-/// The compositor's own word on when a surface's new content was shown. For the thread that swaps.
+/// The compositor's own word on when a surface's new content was shown.
 ///
 /// It is needed because under Wayland a swap does not return at the refresh that shows its picture,
 /// but at the one before.
-class SurfaceFeedback {
+///
+/// Instants of wp_presentation are on the clock that the compositor names: CLOCK_MONOTONIC where
+/// the display hardware stamps, CLOCK_MONOTONIC_RAW in Weston without hardware. Another clock of
+/// this machine is read beside the session clock with every answer, and the difference taken off.
+///
+/// Who answers, as seen in the traffic between SDL 2.26 and the compositor: Weston 10 on an X
+/// server answers every picture. Sway 1.7 (wlroots 0.15) without a screen never does, and on an X
+/// server only when the next picture is shown, with that one's instant: those back ends give the
+/// presentation another number than the commit whose feedback waits for it (read in
+/// types/wlr_presentation_time.c and backend/headless/output.c), so that no request of ours,
+/// however placed, can be answered. There frame callbacks are what is left.
+class SurfaceFeedback final : public PresentationReports {
  public:
   enum class Kind {
     Presented,   ///< wp_presentation (presentation-time, version 1): when it became visible
@@ -23,32 +37,33 @@ class SurfaceFeedback {
   };
 
   /// `display` and `surface` are borrowed from the window, which must outlive this.
-  SurfaceFeedback(wl_display* display, wl_surface* surface);
+  SurfaceFeedback(wl_display* display, wl_surface* surface, Kind kind);
   SurfaceFeedback(const SurfaceFeedback&) = delete;
   SurfaceFeedback& operator=(const SurfaceFeedback&) = delete;
   SurfaceFeedback(SurfaceFeedback&&) = delete;
   SurfaceFeedback& operator=(SurfaceFeedback&&) = delete;
-  ~SurfaceFeedback();
+  ~SurfaceFeedback() override;
 
-  /// Presented is offered only where the compositor has it, and by CLOCK_MONOTONIC. Even then it
-  /// may never answer (wlroots 0.15 without a screen).
-  [[nodiscard]] bool offers(Kind kind) const;
+  /// Why it cannot be asked; empty: it can (which does not mean that it will answer).
+  [[nodiscard]] std::string refusal() const;
 
-  /// Asks about the content of the next swap. What was asked before and not awaited is forgotten.
-  void request(Kind kind);
+  /// Only if there is no refusal.
+  void request() override;
 
-  /// Blocks until the compositor has answered what was last asked, at most `patience`: when the
-  /// content was first shown. Nothing: it was not (window hidden, content replaced), or no answer.
-  [[nodiscard]] std::optional<Instant> await(Duration patience);
+  [[nodiscard]] std::optional<PresentationReport> await(Duration patience,
+                                                        const Meanwhile& meanwhile) override;
 
-  /// The period that the compositor stated with the last Presented, 0 where it stated none.
-  [[nodiscard]] Duration stated_period() const;
+  [[nodiscard]] TimeSource source() const override;
 
-  /// Whether the last Presented was stamped by the display hardware and not by the compositor.
-  [[nodiscard]] bool hardware_stamped() const;
+  [[nodiscard]] Duration stated_period() const override;
+
+  [[nodiscard]] std::string_view name() const override;
+
+  [[nodiscard]] std::string description() const override;
 
  private:
   struct Connection;
+  Kind kind_;
   std::unique_ptr<Connection> connection_;
 };
 

@@ -115,6 +115,8 @@ class ScriptedKeyboard final : public Keyboard {
 
   void expect(std::string_view /*answer*/, Instant /*from*/) override {}
 
+  [[nodiscard]] std::string description() const override { return "scripted"; }
+
  private:
   const Clock& clock_;
   std::vector<Key> keys_;

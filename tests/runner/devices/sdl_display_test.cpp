@@ -101,6 +101,16 @@ TEST_F(SdlDisplayOnScreen, PresentsEachScreenAfterTheOneBeforeAndSaysHowItKnows)
   EXPECT_EQ(display_->kind(), "sdl");
 }
 
+TEST_F(SdlDisplayOnScreen, SaysWhyBetterReportsAreNotUsedOrThatTheyAre) {
+  const auto description = display_->description();
+  const auto* const best =
+      SdlWindow::driver() == "wayland" ? "wp_presentation" : "GLX_OML_sync_control";
+  if (SdlWindow::driver() == "KMSDRM") GTEST_SKIP() << "a console has none";
+  EXPECT_NE(description.find(best), std::string::npos) << description;
+  const bool is_refused = description.find("not by " + std::string{best}) != std::string::npos;
+  EXPECT_NE(is_refused, display_->time_source() == TimeSource::DriverReported) << description;
+}
+
 TEST_F(SdlDisplayOnScreen, RefusesAPictureLargerThanTheWindow) {
   const std::vector<std::uint8_t> pixels(std::size_t{5000} * 16 * 4);
   const Picture picture{.width = 5000, .height = 16, .pixels = pixels};

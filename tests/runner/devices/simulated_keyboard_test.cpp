@@ -77,5 +77,11 @@ TEST(SimulatedKeyboard, DropsWhatIsLeftOfAnEarlierAnswer) {
   EXPECT_EQ(text_of(keyboard.poll()), "x");
 }
 
+TEST(SimulatedKeyboard, SaysThatNobodyTypes) {
+  const VirtualClock clock;
+  EXPECT_EQ(SimulatedKeyboard{clock}.description(),
+            "simulated: the first key 600 ms after an answer is awaited, then every 120 ms");
+}
+
 }  // namespace
 }  // namespace bimodal::runner

@@ -363,5 +363,29 @@ TEST(RecordingMachine, KeepsCapturesAndTakesInOrderWhateverIsPressed) {
   }
 }
 
+TEST(RecordingMachine, IgnoresClicksAndButtonsEvenBetweenTheRepeatsOfAHeldKey) {
+  RecordingMachine machine{{{"a", false}}, {}};
+  const auto press = [&machine](Key key, Instant at) {
+    return machine.on(
+        Keystroke{.key = key, .text = key == Key::Text ? " " : "", .at = at, .source = "test"});
+  };
+  EXPECT_THAT(press(Key::Pointer, Instant{1s}), IsEmpty());
+  EXPECT_THAT(press(Key::Button, Instant{1s}), IsEmpty());
+  EXPECT_EQ(machine.phase(), Phase::Welcome);
+  EXPECT_THAT(press(Key::Enter, Instant{2s}), SizeIs(1));
+  EXPECT_EQ(machine.phase(), Phase::Room);
+  EXPECT_THAT(machine.on(Moment{Instant{4s}}), SizeIs(1));
+  EXPECT_THAT(machine.on(RoomJudged{Instant{4s}, true}), IsEmpty());
+  EXPECT_THAT(press(Key::Enter, Instant{5s}), IsEmpty());
+  EXPECT_EQ(machine.phase(), Phase::Arming);
+  static_cast<void>(machine.on(Moment{Instant{5s + 300ms}}));
+  EXPECT_EQ(machine.phase(), Phase::Recording);
+  EXPECT_THAT(press(Key::Left, Instant{5s + 310ms}), SizeIs(1));
+  EXPECT_EQ(machine.phase(), Phase::Ready);
+  EXPECT_THAT(press(Key::Pointer, Instant{5s + 320ms}), IsEmpty());
+  EXPECT_THAT(press(Key::Left, Instant{5s + 330ms}), IsEmpty());
+  EXPECT_EQ(machine.phase(), Phase::Ready);
+}
+
 }  // namespace
 }  // namespace bimodal::runner

@@ -43,6 +43,33 @@ TEST(TrialMachine, RecordsTheEditedAnswerAndTheFirstKey) {
   EXPECT_FALSE(response.timed_out);
 }
 
+TEST(TrialMachine, IgnoresClicksAndButtonsWhereAnswersAreTyped) {
+  auto trial = responding();
+  static_cast<void>(trial.on(press(Key::Text, kStart + 1'300ms, "b")));
+  auto click = press(Key::Pointer, kStart + 1'350ms);
+  click.button = 1;
+  EXPECT_TRUE(trial.on(click).empty());
+  EXPECT_TRUE(trial.on(press(Key::Button, kStart + 1'400ms)).empty());
+  EXPECT_EQ(trial.phase(), Phase::Responding);
+  EXPECT_EQ(trial.answer(), "b");
+}
+
+TEST(TrialMachine, TakesNoClickForTheFirstKey) {
+  auto trial = responding();
+  static_cast<void>(trial.on(press(Key::Pointer, kStart + 1'100ms)));
+  static_cast<void>(trial.on(press(Key::Text, kStart + 1'300ms, "b")));
+  const auto commands = trial.on(press(Key::Enter, kStart + 1'500ms));
+  EXPECT_EQ(std::get<RecordResponse>(commands.at(0)).first_key, kStart + 1'300ms);
+}
+
+TEST(Keystroke, IsStoredByItsTextItsNameOrItsButtonAndPlace) {
+  EXPECT_EQ(label({.key = Key::Text, .text = "é"}), "é");
+  EXPECT_EQ(label({.key = Key::Backspace}), "Backspace");
+  EXPECT_EQ(label({.key = Key::Pointer, .button = 3, .x = 0.5, .y = 0.25}),
+            "Pointer3 0.5000 0.2500");
+  EXPECT_EQ(label({.key = Key::Button, .button = 2}), "Button2");
+}
+
 TEST(TrialMachine, AnEmptyAnswerIsAnOmission) {
   auto trial = responding();
   const auto commands = trial.on(press(Key::Enter, kStart + 1'200ms));
