@@ -43,6 +43,9 @@ class PresentationReports {
   /// What an answered presentation rests on.
   [[nodiscard]] virtual TimeSource source() const = 0;
 
+  /// Whether the last answer was stamped by the display hardware or its driver.
+  [[nodiscard]] virtual bool by_hardware() const { return false; }
+
   /// The refresh period stated with the last answer; 0: none was.
   [[nodiscard]] virtual Duration stated_period() const = 0;
 

@@ -29,6 +29,11 @@ double milliseconds(Duration duration) {
 SdlDisplay::SdlDisplay(SdlWindow& window, const Screen& opening)
     : window_{window}, painter_{window.background()}, pump_{[this] { window_.pump(); }} {
   measure_refresh(opening);
+  start_up_.nominal = period_of(window_.nominal_rate());
+  start_up_.is_seen = source_ != TimeSource::Predicted;
+  start_up_.is_composited = SdlWindow::driver() == "wayland";
+  start_up_.by_hardware = source_ == TimeSource::DriverReported && reports_->by_hardware();
+  start_up_.source = start_up_.is_seen ? describe_source() : "predicted";
 }
 
 void SdlDisplay::measure_refresh(const Screen& opening) {
@@ -72,7 +77,10 @@ std::string SdlDisplay::measure_reports(const Screen& opening) {
   const auto reports = std::span{received}.first(count);
   const auto verdict = judge_reports(reports);
   if (!verdict.plausible) return std::string{verdict.reason};
-  for (const auto& each : reports) meter_.add(each.report.shown);
+  std::array<Instant, kMeasuredFlips + 1> flips{};
+  std::ranges::transform(
+      reports, flips.begin(), [](const ReceivedReport& each) { return each.report.shown; });
+  sum_up(std::span{flips}.first(count));
   last_shown_ = reports.back().report.shown;
   counted_ = counts_refreshes(reports, meter_.estimate().period);
   return {};
@@ -82,6 +90,7 @@ std::string SdlDisplay::measure_reports(const Screen& opening) {
 bool SdlDisplay::measure_swaps(const Screen& opening) {
   std::array<Duration, kUncountedFlips> intervals{};
   const auto nominal = period_of(window_.nominal_rate());
+  std::array<Instant, kMeasuredFlips + 1> flips{};
   auto last = clock_.now();
   for (int flip = 0; flip < kUncountedFlips + kMeasuredFlips + 1; ++flip) {
     if (flip == kUncountedFlips && !swap_waits(intervals, nominal)) return false;
@@ -92,11 +101,21 @@ bool SdlDisplay::measure_swaps(const Screen& opening) {
     if (flip < kUncountedFlips) {
       intervals.at(static_cast<std::size_t>(flip)) = returned - last;
     } else {
-      meter_.add(returned);
+      flips.at(static_cast<std::size_t>(flip - kUncountedFlips)) = returned;
     }
     last = returned;
   }
+  sum_up(flips);
   return true;
+}
+
+/// The counted flips at start-up: the grid that the session begins with, and what to judge it by.
+void SdlDisplay::sum_up(std::span<const Instant> flips) {
+  start_up_.intervals.clear();
+  for (std::size_t i = 0; i < flips.size(); ++i) {
+    meter_.add(flips[i]);
+    if (i > 0) start_up_.intervals.push_back(flips[i] - flips[i - 1]);
+  }
 }
 
 RefreshEstimate SdlDisplay::refresh() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "runner/devices/display.hpp"
@@ -10,6 +11,7 @@
 #include "runner/devices/sdl/sdl_window.hpp"
 #include "runner/timing/pacing.hpp"
 #include "runner/timing/refresh_meter.hpp"
+#include "runner/timing/start_up_gate.hpp"
 
 namespace bimodal::runner {
 
@@ -44,6 +46,9 @@ class SdlDisplay final : public Display {
 
   [[nodiscard]] TimeSource time_source() const override { return source_; }
 
+  /// What was measured at start-up, for judge().
+  [[nodiscard]] const StartUp& start_up() const { return start_up_; }
+
   /// What was irregular since start-up.
   [[nodiscard]] const RefreshCounts& counts() const { return meter_.counts(); }
 
@@ -51,6 +56,7 @@ class SdlDisplay final : public Display {
   void measure_refresh(const Screen& opening);
   [[nodiscard]] std::string measure_reports(const Screen& opening);
   [[nodiscard]] bool measure_swaps(const Screen& opening);
+  void sum_up(std::span<const Instant> flips);
   [[nodiscard]] std::string describe_source() const;
   void wait_until(Instant instant);
   Presentation present_reported(const RefreshPlan& plan);
@@ -67,6 +73,7 @@ class SdlDisplay final : public Display {
   std::string not_used_;                          ///< better sources, each with the reason
   RefreshMeter meter_;
   RefreshEstimate nominal_;  ///< where nothing can be measured
+  StartUp start_up_;
   TimeSource source_ = TimeSource::Predicted;
 };
 

@@ -197,10 +197,13 @@ std::string SurfaceFeedback::description() const {
   if (kind_ == Kind::FrameDrawn) {
     return "from the compositor's frame callbacks, up to one refresh before a picture is visible";
   }
-  constexpr auto kByHardware = kHardwareClock | kHardwareCompletion;
-  const bool by_hardware = (connection_->kind & kByHardware) == kByHardware;
   return std::string{"reported by the compositor (wp_presentation), stamped by "} +
-         (by_hardware ? "the display hardware" : "its own clock");
+         (by_hardware() ? "the display hardware" : "its own clock");
+}
+
+bool SurfaceFeedback::by_hardware() const {
+  constexpr auto kByHardware = kHardwareClock | kHardwareCompletion;
+  return kind_ == Kind::Presented && (connection_->kind & kByHardware) == kByHardware;
 }
 
 }  // namespace bimodal::runner

@@ -60,6 +60,7 @@ class SurfaceFeedback final : public PresentationReports {
   [[nodiscard]] std::string_view name() const override;
 
   [[nodiscard]] std::string description() const override;
+  [[nodiscard]] bool by_hardware() const override;
 
  private:
   struct Connection;

@@ -39,6 +39,8 @@ class OmlReports final : public PresentationReports {
 
   [[nodiscard]] std::string description() const override;
 
+  [[nodiscard]] bool by_hardware() const override { return true; }
+
  private:
   [[nodiscard]] bool is_done(Instant until, const Meanwhile& meanwhile);
 

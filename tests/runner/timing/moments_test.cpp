@@ -64,8 +64,8 @@ TEST(Histogram, CountsEverythingOnceInAtMostAsManyBinsAsAsked) {
 TEST(Histogram, IsDrawnAsLinesOfText) {
   const std::vector<Duration> durations{100us, 600us, 700us};
   EXPECT_EQ(draw(histogram_of(durations, 2), 4),
-            "    +0.0 ms |##   1\n"
-            "    +0.5 ms |#### 2\n");
+            "     +0.0 ms |##   1\n"
+            "     +0.5 ms |#### 2\n");
   EXPECT_EQ(draw({}), "");
 }
 
