@@ -72,6 +72,11 @@ SessionSummary summarise(const StoredSession& stored, std::size_t file) {
               stored.trials, [](const StoredTrial& trial) { return trial.trial.flagged; }))};
 }
 
+/// From where reaction times count: as the protocol names it, in old files the planned end.
+Duration reference_of(const runner::TrialRecord& trial) {
+  return trial.response.reference_at.value_or(trial.stimulus_end);
+}
+
 Trial make_trial(const StoredTrial& stored, const SourceFile& file, const StoredSession& session) {
   const auto& [plan, trial] = stored;
   Trial made{.session = 0,
@@ -90,11 +95,12 @@ Trial make_trial(const StoredTrial& stored, const SourceFile& file, const Stored
              .phones = phones_of(stored, file, session),
              .response = trial.response.text,
              .first_key = std::nullopt,
-             .submitted = trial.response.submitted - trial.stimulus_end,
+             .submitted = trial.response.submitted - reference_of(trial),
              .timed_out = trial.response.timed_out,
              .flagged = trial.flagged,
+             .excluded = trial.excluded,
              .simulated = is_simulated(session)};
-  if (trial.response.first_key) made.first_key = *trial.response.first_key - trial.stimulus_end;
+  if (trial.response.first_key) made.first_key = *trial.response.first_key - reference_of(trial);
   return made;
 }
 
@@ -111,6 +117,7 @@ class Sieve {
     if (!selection_.include_practice && trial.phase == "practice") return left_out(practice_);
     if (!wanted(selection_.participants, trial.participant)) return left_out(participant_);
     if (!wanted(selection_.conditions, trial.condition)) return left_out(condition_);
+    if (trial.excluded) return left_out(excluded_);
     if (selection_.exclude_flagged && trial.flagged) return left_out(flagged_);
     if (selection_.exclude_simulated && trial.simulated) return left_out(simulated_);
     return true;
@@ -123,6 +130,9 @@ class Sieve {
       all.push_back({"participant not selected", participant_});
     }
     if (!selection_.conditions.empty()) all.push_back({"condition not selected", condition_});
+    if (excluded_ > 0) {
+      all.push_back({"excluded by the protocol's rule: timing not as planned", excluded_});
+    }
     if (selection_.exclude_flagged) {
       all.push_back({"flagged: timing not as planned", flagged_});
     }
@@ -138,6 +148,7 @@ class Sieve {
 
   const Selection& selection_;
   std::int64_t practice_ = 0;
+  std::int64_t excluded_ = 0;
   std::int64_t participant_ = 0;
   std::int64_t condition_ = 0;
   std::int64_t flagged_ = 0;

@@ -26,11 +26,13 @@ struct Trial {
   std::optional<std::string> face;             ///< what it looked like; absent: none, or not stored
   Pronunciation phones;                        ///< as presented
   std::string response;                        ///< as submitted, UTF-8; empty for an omission
-  /// Since the planned end of the stimulus, so negative for a key pressed before it.
+  /// Reaction times count from the point that the protocol names: the onset of sound or picture, or
+  /// the end of the stimulus. Negative for a key pressed before it.
   std::optional<Duration> first_key;
-  Duration submitted{};  ///< since the planned end of the stimulus
+  Duration submitted{};
   bool timed_out = false;
   bool flagged = false;    ///< the timing was not as planned
+  bool excluded = false;   ///< and by the protocol's rule it is not analysed
   bool simulated = false;  ///< a simulated observer answered, or time was virtual
 };
 

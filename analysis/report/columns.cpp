@@ -43,8 +43,9 @@ constexpr std::array kColumns = std::to_array<Column>({
     {"trials", "consonant_final_response", "the same for the final consonant"},
     {"trials",
      "first_key_ms",
-     "first key after the planned end of the stimulus, ms; negative before it; absent: no key"},
-    {"trials", "submitted_ms", "submission after the planned end of the stimulus, ms"},
+     "first key after the point that the protocol names (by default the end of the stimulus), ms; "
+     "negative before it; absent: no key"},
+    {"trials", "submitted_ms", "submission after that point, ms"},
     {"trials", "timed_out", "1 if the time limit ended the answer, else 0"},
     {"trials", "flagged", "1 if the timing was not as planned, else 0"},
     {"trials", "simulated", "1 if answers or time were simulated, else 0"},

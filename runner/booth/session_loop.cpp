@@ -27,6 +27,18 @@ Duration since_zero(Instant at) {
   return at.time_since_epoch();
 }
 
+KeystrokeRecord record_of(const Keystroke& stroke) {
+  KeystrokeRecord record{.at = since_zero(stroke.at),
+                         .source = std::string{stroke.source},
+                         .key = label(stroke),
+                         .uncertainty = stroke.uncertainty};
+  if (stroke.key == Key::Pointer) {
+    record.x = stroke.x;
+    record.y = stroke.y;
+  }
+  return record;
+}
+
 class SessionLoop {
  public:
   explicit SessionLoop(const SessionParts& parts) : parts_{parts}, booth_{parts.booth} {}
@@ -114,9 +126,7 @@ class SessionLoop {
       show_answer(machine, screen);
       for (const auto& stroke : booth_.keyboard.poll()) {
         if (machine.phase() == TrialMachine::Phase::Responding) {
-          record.keystrokes.push_back({.at = since_zero(stroke.at),
-                                       .source = std::string{stroke.source},
-                                       .key = label(stroke)});
+          record.keystrokes.push_back(record_of(stroke));
         }
         for (const auto& command : machine.on(stroke)) {
           if (std::holds_alternative<StopSession>(command)) return false;

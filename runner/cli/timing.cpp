@@ -63,11 +63,12 @@ std::string named(const std::string& device) {
 }
 
 void open(Bench& bench, const TimingOptions& options) {
-  bench.window = std::make_unique<SdlWindow>(SdlWindow::Options{.width = options.width,
-                                                                .height = options.height,
-                                                                .fullscreen = !options.windowed,
-                                                                .title = "bimodal timing",
-                                                                .background = {0.38F, 0.38F, 0.38F}});
+  bench.window =
+      std::make_unique<SdlWindow>(SdlWindow::Options{.width = options.width,
+                                                     .height = options.height,
+                                                     .fullscreen = !options.windowed,
+                                                     .title = "bimodal timing",
+                                                     .background = {0.38F, 0.38F, 0.38F}});
   bench.display = std::make_unique<SdlDisplay>(*bench.window);
   bench.right_of_way.keep_to_itself();
   bench.keyboard = std::make_unique<SdlKeyboard>(*bench.window, bench.clock);
@@ -85,10 +86,9 @@ void open(Bench& bench, const TimingOptions& options) {
 
 TimingFindings measure(Bench& bench, const TimingOptions& options) {
   const Booth booth{bench.clock, *bench.display, *bench.keyboard, *bench.audio};
-  const TimingPlan plan{
-      .trials = options.trials,
-      .flash = {.drawing_rate = drawing_rate_for(bench.display->refresh().period),
-                .av_offset = from_ms(options.av_offset_ms)}};
+  const TimingPlan plan{.trials = options.trials,
+                        .flash = {.drawing_rate = drawing_rate_for(bench.display->refresh().period),
+                                  .av_offset = from_ms(options.av_offset_ms)}};
   TimingFindings findings{.made_utc = utc_now(),
                           .display = bench.display->description(),
                           .audio = bench.audio->description(),
@@ -156,11 +156,11 @@ ExitCode time(const TimingOptions& options) {
     }
     static_cast<void>(calibration_file(options.calibration));
   }
-  Bench bench;
-  open(bench, options);
+  auto bench = std::make_unique<Bench>();
+  open(*bench, options);
   stop_at_interrupt();
-  const auto findings = measure(bench, options);
-  bench.window.reset();
+  const auto findings = measure(*bench, options);
+  bench.reset();
   fmt::print("{}", as_text(findings));
   if (!options.output.empty()) write_files(findings, options.output);
   if (!options.calibration.empty()) keep_calibration(findings, options);
@@ -173,8 +173,10 @@ void add_timing(CLI::App& app, Verb& chosen) {
   auto* const verb = app.add_subcommand(
       "timing",
       "Measures how this machine times flashes and beeps, by the presenter of every session: what\n"
-      "the computer says and, with a photodiode on the left half of the flash and a cable from the\n"
-      "sound output on a sound input, what really came. Ends with 1 if the screen is not for timing.\n\n"
+      "the computer says and, with a photodiode on the left half of the flash and a cable from "
+      "the\n"
+      "sound output on a sound input, what really came. Ends with 1 if the screen is not for "
+      "timing.\n\n"
       "Examples:\n"
       "  bimodal timing                            # what the computer says of itself\n"
       "  bimodal timing --trials 500 -o booth-1    # and timing.html, timing.json in a folder\n"
@@ -195,7 +197,8 @@ void add_timing(CLI::App& app, Verb& chosen) {
                    options->input_delay_ms,
                    "what reaches the input comes so late, light and sound alike (0)")
       ->check(CLI::Range(0.0, 1000.0));
-  verb->add_option("--calibration", options->calibration, "keeps what was measured under this name");
+  verb->add_option(
+      "--calibration", options->calibration, "keeps what was measured under this name");
   verb->add_option("-o,--output", options->output, "folder for timing.json and timing.html");
   verb->add_flag("--windowed", options->windowed, "a window instead of the whole screen");
   verb->add_option("--width", options->width, "of the window, pixels (1280)")

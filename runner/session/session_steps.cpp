@@ -34,4 +34,32 @@ std::vector<SessionStep> session_steps(const protocols::Protocol& protocol,
   return steps;
 }
 
+std::vector<SessionStep> steps_left(const std::vector<SessionStep>& steps,
+                                    const std::set<std::size_t>& done,
+                                    const std::string& greeting) {
+  if (done.empty()) return steps;
+  std::vector<SessionStep> left;
+  std::vector<SessionStep> pages;  // since the last trial
+  bool begun = false;
+  for (const auto& step : steps) {
+    const auto* const trial = std::get_if<TrialStep>(&step);
+    if (trial == nullptr) {
+      pages.push_back(step);
+      continue;
+    }
+    if (!done.contains(trial->trial)) {
+      if (begun) {
+        left.insert(left.end(), pages.begin(), pages.end());
+      } else {
+        left.emplace_back(PageStep{.text = greeting, .progress = trial->progress});
+      }
+      begun = true;
+      left.push_back(step);
+    }
+    pages.clear();
+  }
+  left.insert(left.end(), pages.begin(), pages.end());
+  return left;
+}
+
 }  // namespace bimodal::runner

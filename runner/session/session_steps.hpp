@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -27,5 +28,13 @@ using SessionStep = std::variant<PageStep, TrialStep>;
 /// main part begins, trials with breaks, farewell.
 [[nodiscard]] std::vector<SessionStep> session_steps(
     const protocols::Protocol& protocol, const std::vector<protocols::PlannedTrial>& plan);
+
+/// What is left of a session that was cut off when the trials of `done` (indices into the plan)
+/// were stored: the steps from the first other trial on, without trials that are done and pages
+/// that lead to none, after a page of `greeting`. Of a session that is done nothing but what
+/// follows its last trial.
+[[nodiscard]] std::vector<SessionStep> steps_left(const std::vector<SessionStep>& steps,
+                                                  const std::set<std::size_t>& done,
+                                                  const std::string& greeting);
 
 }  // namespace bimodal::runner

@@ -31,6 +31,10 @@ class SessionStore {
   /// An event outside any trial.
   virtual void add(std::int64_t session, const EventRecord& event) = 0;
 
+  /// Takes up a session that was stopped or interrupted: it has no outcome again. What it has
+  /// stays.
+  virtual void reopen(std::int64_t session) = 0;
+
   /// `outcome`: "complete" or "stopped". A session that never ended was interrupted.
   virtual void end(std::int64_t session, std::string_view outcome, std::string_view ended_utc) = 0;
 };

@@ -233,6 +233,28 @@ void read_events(Database& database, const TrialsById& trials) {
 
 }  // namespace
 
+std::vector<PlanRecord> read_plan(const std::filesystem::path& file, std::int64_t session) {
+  Database database{file, Database::Access::Read};
+  check_schema(database, file.string());
+  const bool has_timing = database.pragma("user_version") >= 6;
+  Statement row{database,
+                std::string{"SELECT trial, phase, block, word, phones, condition, noise_seed"
+                            " FROM plan WHERE session = ?"} +
+                    (has_timing ? " AND repeats IS NULL" : "") + " ORDER BY trial"};
+  row.bind(session);
+  std::vector<PlanRecord> plan;
+  while (row.step()) {
+    plan.push_back({.trial = static_cast<int>(row.integer(0)),
+                    .phase = row.text(1),
+                    .block = static_cast<int>(row.integer(2)),
+                    .word = row.text(3),
+                    .phones = row.text(4),
+                    .condition = row.text(5),
+                    .noise_seed = unsigned_from(row.text(6))});
+  }
+  return plan;
+}
+
 std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Detail detail) {
   Database database{file, Database::Access::Read};
   check_schema(database, file.string());
@@ -252,9 +274,11 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
       " seed, program_version, simulated_answers, simulated_time, observer, started_utc, outcome,"
       " display_kind, display_description, display_time_source, audio_kind, audio_description,"
       " audio_time_source, refresh_period_ns, refresh_deviation_ns, refresh_count,"
-      " (SELECT count(*) FROM plan WHERE plan.session = session.session),"
-      " EXISTS (SELECT 1 FROM event WHERE event.session = session.session AND kind = "
-      "'shortened'), " +
+      " (SELECT count(*) FROM plan WHERE plan.session = session.session" +
+          std::string{has_timing ? " AND repeats IS NULL" : ""} +
+          "),"
+          " EXISTS (SELECT 1 FROM event WHERE event.session = session.session AND kind = "
+          "'shortened'), " +
           std::string{has_recordings ? "casting, " : "'', "} +
           std::string{has_faces ? "face_quality, face_quality_basis, face_full_picture_ns, "
                                   "face_renderer"

@@ -92,6 +92,8 @@ class SqliteStore final : public SessionStore {
     insert_event(session, std::nullopt, event);
   }
 
+  void reopen(std::int64_t session) override { reopen_session_.reset().bind(session).run(); }
+
   void end(std::int64_t session, std::string_view outcome, std::string_view ended_utc) override {
     end_session_.reset().bind(outcome).bind(ended_utc).bind(session).run();
   }
@@ -293,6 +295,8 @@ class SqliteStore final : public SessionStore {
                               "INSERT INTO clock_map VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_trigger_{database_, "INSERT INTO trigger VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_event_{database_, "INSERT INTO event VALUES (NULL, ?, ?, ?, ?, ?)"};
+  Statement reopen_session_{
+      database_, "UPDATE session SET outcome = NULL, ended_utc = NULL WHERE session = ?"};
   Statement end_session_{database_,
                          "UPDATE session SET outcome = ?, ended_utc = ? WHERE session = ?"};
 };

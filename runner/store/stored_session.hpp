@@ -29,4 +29,9 @@ enum class Detail { Responses, Everything };
 [[nodiscard]] std::vector<StoredSession> read_sessions(const std::filesystem::path& file,
                                                        Detail detail = Detail::Responses);
 
+/// What was planned for one session of a SQLite file, in order; trials that repeat others are not
+/// in it. Throws StoreError.
+[[nodiscard]] std::vector<PlanRecord> read_plan(const std::filesystem::path& file,
+                                                std::int64_t session);
+
 }  // namespace bimodal::runner

@@ -18,6 +18,8 @@ REGION = (WIDTH // 2 - 20, HEIGHT // 2 - 8, 40, 16)  # on both halves of the fla
 MOST_MEAN_MS = 1.0
 MOST_SD_MS = 1.0
 MOST_UNFLAGGED_MS = 5.0
+# The observer plays light and sound 50 ms later into what the program records.
+INSTRUMENTS = ["--input", "default", "--input-delay-ms", "50"]
 NEAR_MS = 1.0
 LEAST_NEAR = 0.99
 
@@ -42,16 +44,16 @@ def level_of(frame):
 
 def flashes(laboratory, bimodal, name, trials, *options):
     """Runs `bimodal timing` under observation: its reports, and what was seen."""
-    reports = laboratory.folder / f"{name}.reported.json"
+    reports = laboratory.folder / name
     with laboratory.observe(name, REGION) as observation:
         code = laboratory.run(
             [bimodal, "timing", "--trials", trials, "--width", WIDTH, "--height", HEIGHT]
-            + ["--json", reports, *options],
+            + ["-o", reports, *options],
             f"{name}.log",
         )
     if code != 0:
         sys.exit(f"bimodal timing ended with {code}; see {laboratory.folder / name}.log")
-    return json.loads(reports.read_text())["trials"], observation.seen
+    return json.loads((reports / "timing.json").read_text())["trials"], observation.seen
 
 
 class Compared:
@@ -130,6 +132,32 @@ def require_promises(findings, name, compared, most_flagged):
     )
 
 
+def require_instruments(findings, trials, seen):
+    """The photodiode and the cable against the observer, trial by trial."""
+    light = judgement.onsets_of_light(seen)
+    sound = judgement.onsets_of_sound(seen)
+    errors = {"visual": [], "auditory": [], "offset": []}
+    for trial in trials[1:]:
+        if trial["measured_visual_ns"] is None or trial["measured_auditory_ns"] is None:
+            continue
+        seen_at = judgement.nearest(light, trial["measured_visual_ns"])
+        heard_at = judgement.nearest(sound, trial["measured_auditory_ns"])
+        visual = (trial["measured_visual_ns"] - seen_at) / MS
+        auditory = (trial["measured_auditory_ns"] - heard_at) / MS
+        errors["visual"].append(visual)
+        errors["auditory"].append(auditory)
+        errors["offset"].append(auditory - visual)
+    findings.note("instruments", {what: judgement.moments(e) for what, e in errors.items()})
+    measured = len(errors["offset"])
+    findings.require("instruments", measured >= len(trials) - 3, f"{measured} trials measured")
+    worst = max(map(abs, errors["offset"]), default=float("inf"))
+    findings.require(
+        "instruments",
+        worst <= 0.5,
+        f"measured offsets are at most {worst:.3f} ms off the observed ones (at most 0.5)",
+    )
+
+
 def misses_of_a_client(laboratory, clear_client, refreshes):
     with laboratory.observe("clear", REGION) as observation:
         laboratory.run([clear_client, refreshes], "clear.log")
@@ -163,6 +191,9 @@ def main():
             abs(shifted["mean_ms"]) <= MOST_MEAN_MS,
             f"{20 + shifted['mean_ms']:+.3f} ms, SD {shifted['sd_ms']:.3f}",
         )
+
+        trials, seen = flashes(laboratory, given.bimodal, "instruments", 41, *INSTRUMENTS)
+        require_instruments(findings, trials, seen)
 
         with Load():
             trials, seen = flashes(laboratory, given.bimodal, "loaded", 61)

@@ -58,6 +58,30 @@ TEST(GatherTrials, KeepsWhatWasPresentedAndAnswered) {
   EXPECT_FALSE(trial.simulated);
 }
 
+TEST(GatherTrials, CountsReactionTimesFromThePointThatTheProtocolNames) {
+  auto stored = stored_trial(0, "stew", "S T UW", "two");
+  stored.trial.response.reference = "sound_onset";
+  stored.trial.response.reference_at = stored.trial.stimulus_end - 300ms;
+  const std::vector files{file("a", {session("P01", {stored})})};
+  const auto trial = gather_trials(files).trials.at(0);
+  EXPECT_EQ(trial.first_key, 800ms);
+  EXPECT_EQ(trial.submitted, 1'300ms);
+}
+
+TEST(GatherTrials, LeavesOutWhatTheProtocolsRuleExcludedAndSaysSo) {
+  auto late = stored_trial(0, "stew", "S T UW", "two");
+  late.trial.flagged = late.trial.excluded = true;
+  auto again = stored_trial(1, "stew", "S T UW", "stew");
+  again.plan.repeats = 0;
+  const std::vector files{file("a", {session("P01", {late, again})})};
+  const auto dataset = gather_trials(files);
+  ASSERT_EQ(dataset.trials.size(), 1U);
+  EXPECT_EQ(dataset.trials[0].response, "stew");
+  EXPECT_THAT(
+      dataset.exclusions,
+      testing::Contains(Exclusion{"excluded by the protocol's rule: timing not as planned", 1}));
+}
+
 TEST(GatherTrials, CountsATrialUnderItsFirstReasonOnly) {
   auto late_practice = practice(0);
   late_practice.trial.flagged = true;

@@ -93,6 +93,8 @@ class MemoryStore final : public SessionStore {
 
   void add(std::int64_t /*session*/, const EventRecord& event) override { events.push_back(event); }
 
+  void reopen(std::int64_t /*session*/) override {}
+
   void end(std::int64_t /*session*/, std::string_view /*how*/, std::string_view /*when*/) override {
   }
 

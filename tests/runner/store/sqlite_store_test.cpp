@@ -283,6 +283,37 @@ TEST_F(SqliteStoreTest, AppendsToAnExistingFile) {
   EXPECT_EQ(read_sessions(file_).size(), 2U);
 }
 
+TEST_F(SqliteStoreTest, TakesUpASessionThatWasStopped) {
+  const auto store = open_sqlite_store(file_);
+  const auto id = store->begin(session(), plan());
+  store->add(id, trial(0));
+  store->end(id, "stopped", "2026");
+  store->reopen(id);
+  EXPECT_EQ(read_sessions(file_).at(0).outcome, "");
+  EXPECT_EQ(read_sessions(file_).at(0).trials.size(), 1U);
+  store->add(id, trial(1));
+  store->end(id, "complete", "2026");
+  EXPECT_EQ(read_sessions(file_).at(0).outcome, "complete");
+}
+
+TEST_F(SqliteStoreTest, TellsWhatWasPlannedWithoutRepetitions) {
+  const auto store = open_sqlite_store(file_);
+  const auto id = store->begin(session(), plan());
+  auto again = plan()[1];
+  again.trial = 9;
+  again.repeats = 1;
+  store->add(id, again);
+  const auto planned = read_plan(file_, id);
+  ASSERT_EQ(planned.size(), plan().size());
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    EXPECT_EQ(planned[i].trial, plan()[i].trial);
+    EXPECT_EQ(planned[i].word, plan()[i].word);
+    EXPECT_EQ(planned[i].condition, plan()[i].condition);
+    EXPECT_EQ(planned[i].noise_seed, plan()[i].noise_seed);
+  }
+  EXPECT_EQ(read_sessions(file_).at(0).planned_trials, static_cast<int>(plan().size()));
+}
+
 TEST_F(SqliteStoreTest, IsReadableByItsOwnerOnly) {
   const auto store = open_sqlite_store(file_);
   store->begin(session(), plan());
