@@ -25,6 +25,9 @@ constexpr int kMostWatched = 300;
 /// From scheduling to the first refresh at the earliest, whatever the sound needs.
 constexpr Duration kSchedulingMargin = 50ms;
 
+/// How long to wait for the word of the lines to other equipment on what became of signals.
+constexpr Duration kTriggerPatience = 300ms;
+
 constexpr const char* kStopQuestion =
     "Stop the session here?\n\nEscape: stop. What has been answered is kept.\nEnter: go on.";
 
@@ -34,7 +37,10 @@ Duration since_zero(Instant at) {
 
 class SessionLoop {
  public:
-  explicit SessionLoop(const SessionParts& parts) : parts_{parts}, booth_{parts.booth} {}
+  explicit SessionLoop(const SessionParts& parts)
+      : parts_{parts},
+        booth_{parts.booth},
+        triggers_{parts.protocol.triggers, parts.booth.trigger_lines} {}
 
   SessionOutcome run() {
     for (const auto& step : session_steps(parts_.protocol, parts_.plan)) {
@@ -96,6 +102,7 @@ class SessionLoop {
                                 planned.index + 1,
                                 parts_.plan.size(),
                                 parts_.protocol.conditions.at(planned.condition).name));
+    triggers_.begin(record.trial, parts_.protocol.conditions.at(planned.condition).name);
     parts_.trials.hold();
     present_trial(trial, machine, record);
     parts_.trials.release();
@@ -105,6 +112,7 @@ class SessionLoop {
       store_event("stopped", fmt::format("in trial {}, presented but not answered", planned.index));
       return false;
     }
+    finish_triggers(record);
     ++outcome_.trials;
     outcome_.flagged += record.flagged ? 1 : 0;
     return pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
@@ -119,6 +127,7 @@ class SessionLoop {
     Screen fixation;
     fixation.fixation = true;
     const auto shown = booth_.display.present(fixation, booth_.clock.now());
+    triggers_.send(protocols::TriggerEvent::TrialStart, shown.onset);
     const auto commands = machine.on(FixationShown{shown.onset});
     const auto earliest = std::get<StartStimulus>(commands.at(0)).earliest;
     const auto ahead = planning_time(trial);
@@ -136,7 +145,7 @@ class SessionLoop {
                         refresh.phase,
                         std::max(earliest, now + kSchedulingMargin),
                         now + booth_.audio.lead_time()};
-    present_stimulus(booth_, trial, cues, machine, record);
+    present_stimulus(booth_, trial, cues, machine, triggers_, record);
     static_cast<void>(machine.on(StimulusEnded{cues.end()}));
   }
 
@@ -173,6 +182,16 @@ class SessionLoop {
                          {.text = "Enter: next word", .centre_y = 0.86, .size = 0.025}};
     }
     present(screen);
+  }
+
+  /// Tells of the answer; the blank that follows it has begun when all lines have reported.
+  void finish_triggers(TrialRecord& record) {
+    if (!record.response.timed_out) {
+      triggers_.send(protocols::TriggerEvent::Response, Instant{record.response.submitted});
+    }
+    const auto latest = booth_.clock.now() + kTriggerPatience;
+    while (!triggers_.settled() && booth_.clock.now() < latest) present({});
+    triggers_.finish(record, booth_.clock.now());
   }
 
   static bool take_response(const TrialCommand& command, TrialRecord& record) {
@@ -250,6 +269,7 @@ class SessionLoop {
 
   const SessionParts& parts_;
   const Booth& booth_;
+  TriggerLog triggers_;
   SessionOutcome outcome_;
 };
 

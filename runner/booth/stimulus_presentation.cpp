@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/booth/patch.hpp"
 #include "runner/devices/device_error.hpp"
 
 namespace bimodal::runner {
@@ -44,8 +45,14 @@ class StimulusLoop {
                const PreparedTrial& trial,
                const CueSheet& cues,
                TrialMachine& machine,
+               TriggerLog& triggers,
                TrialRecord& record)
-      : booth_{booth}, trial_{trial}, cues_{cues}, machine_{machine}, record_{record} {
+      : booth_{booth},
+        trial_{trial},
+        cues_{cues},
+        machine_{machine},
+        triggers_{triggers},
+        record_{record} {
     const auto expected = static_cast<std::size_t>(trial.frames) + 8;
     record_.refreshes.frame.reserve(expected);
     if (shows_video_) record_.refreshes.source_frame.reserve(expected);
@@ -61,11 +68,13 @@ class StimulusLoop {
     std::int64_t index = 0;
     while (cues_.refresh(index) < cues_.end()) {
       const Instant shown = show(index);
+      triggers_.follow_sound(trial_, cues_, booth_);
       for (const auto& stroke : booth_.keyboard.poll()) {
         static_cast<void>(machine_.on(stroke));  // may ask to stop; answered after the stimulus
       }
       index = cues_.refresh_after(index, shown);
     }
+    triggers_.send(protocols::TriggerEvent::StimulusEnd, cues_.end());
     report_picture();
     if (trial_.sound) report_sound();
   }
@@ -77,6 +86,7 @@ class StimulusLoop {
     screen_.fixation = true;
     while (booth_.clock.now() + 3 * period / 2 < cues_.first_refresh()) {
       static_cast<void>(booth_.display.present(screen_, booth_.clock.now()));
+      triggers_.follow_sound(trial_, cues_, booth_);
       for (const auto& stroke : booth_.keyboard.poll()) static_cast<void>(machine_.on(stroke));
     }
   }
@@ -95,7 +105,9 @@ class StimulusLoop {
       }
     }
     const Instant planned = cues_.refresh(index);
+    screen_.at_zero = zero_cue_.is_next(index, frame);
     const auto presented = booth_.display.present(screen_, planned);
+    if (screen_.at_zero) pass_zero(presented);
     if (shows_frame) {
       const Duration half = booth_.display.refresh().period / 2;
       if (presented.lateness > half) ++late_;
@@ -111,6 +123,12 @@ class StimulusLoop {
         zero_since_ = frame_time(trial_.layout, trial_.drawing_rate, frame);
     }
     return presented.onset;
+  }
+
+  void pass_zero(const Presentation& presented) {
+    triggers_.zero_shown(presented, trial_, cues_);
+    zero_cue_.pass();
+    screen_.at_zero = false;
   }
 
   void report_picture() {
@@ -153,6 +171,7 @@ class StimulusLoop {
           "session again by --again"};
     }
     record_.onsets.push_back(onset);
+    triggers_.click_heard(onset);
     if (!playback.onset && booth_.audio.kind() != "none") {
       note("sound_unreported", "the device did not report the sound's onset");
     }
@@ -173,8 +192,10 @@ class StimulusLoop {
   const PreparedTrial& trial_;
   const CueSheet& cues_;
   TrialMachine& machine_;
+  TriggerLog& triggers_;
   TrialRecord& record_;
   bool shows_video_ = trial_.film && !trial_.film->source_frame_of_picture.empty();
+  ZeroCue zero_cue_{trial_, cues_};
   Screen screen_;
   Picture picture_;
   std::optional<Presentation> zero_;    ///< of the first frame not before time zero
@@ -190,8 +211,9 @@ void present_stimulus(const Booth& booth,
                       const PreparedTrial& trial,
                       const CueSheet& cues,
                       TrialMachine& machine,
+                      TriggerLog& triggers,
                       TrialRecord& record) {
-  StimulusLoop{booth, trial, cues, machine, record}.run();
+  StimulusLoop{booth, trial, cues, machine, triggers, record}.run();
 }
 
 }  // namespace bimodal::runner

@@ -30,7 +30,7 @@ set(rules
   "runner/store"        "\"(synth|protocols|runner/(devices|session|preparation|booth|cli))/|<(SDL|portaudio|GL/)"
   "runner/devices"      "\"(synth|protocols|runner/(store|preparation|booth|cli))/|<sqlite3"
   "runner/preparation"  "\"runner/(devices/(sdl|portaudio)|store/sqlite|booth|cli)/|<(SDL|portaudio|GL/|epoxy|sqlite3)"
-  "runner/booth"        "\"(runner/(devices/(sdl|portaudio)|store/sqlite|cli)|synth)/|<(SDL|portaudio|GL/|epoxy|sqlite3)"
+  "runner/booth"        "\"(runner/(devices/(sdl|portaudio|serial)|store/sqlite|cli)|synth)/|<(SDL|portaudio|libserialport|GL/|epoxy|sqlite3)"
   "analysis"            "\"(runner/(devices|session|preparation|booth|cli|realtime|timing)|synth)/|<(SDL|portaudio|sndfile|GL/|sqlite3)"
   "analysis/statistics" "\"analysis/(data|scoring|report|cli)/|<(nlohmann|iostream|fstream)"
   "analysis/scoring"    "\"analysis/(report|cli)/")
