@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "runner/devices/local/socket_port.hpp"
 #include "runner/devices/serial/serial_port.hpp"
 #include "stimuli/base/json_lines.hpp"
 
@@ -15,6 +16,9 @@ std::vector<std::unique_ptr<TriggerSender>> open_trigger_lines(
     lines.push_back(
         std::make_unique<TriggerSender>(std::make_unique<SerialPort>(SerialPort::Options{
             .port = serial->port, .baud = serial->baud, .reset_after = serial->reset_after})));
+  }
+  if (const auto& socket = triggers.socket) {
+    lines.push_back(std::make_unique<TriggerSender>(std::make_unique<SocketPort>(socket->path)));
   }
   return lines;
 }

@@ -1,6 +1,11 @@
 // Triggers as an experimenter meets them: before a session, in it, and in its data.
 
-#include <algorithm>
+#include <array>
+#include <string>
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include "runner/store/stored_session.hpp"
 #include "tests/cli/command_line.hpp"
@@ -17,11 +22,14 @@ using ::testing::Not;
 
 class TriggersCli : public CommandLine {
  protected:
-  /// Writes the small protocol with these triggers as "two.json".
+  /// Writes the small protocol, made short, with these triggers as "two.json".
   void ask_for(const std::string& triggers) {
-    files_.write(
-        "two.json",
-        replaced(kProtocol, "\"seed\": 1,", "\"seed\": 1, \"triggers\": " + triggers + ","));
+    constexpr std::string_view kShort =
+        R"("sound": {"noise": {"lead_s": 0.1, "trail_s": 0.1}},
+           "intervals": {"fixation_s": 0.1, "lead_s": 0.1, "trail_s": 0.1, "pause_s": 0.1})";
+    const auto quick = replaced(kProtocol, R"("sound": {"speech_level_dbfs": -30})", kShort);
+    files_.write("two.json",
+                 replaced(quick, "\"seed\": 1,", "\"seed\": 1, \"triggers\": " + triggers + ","));
   }
 
   static std::string serial(const std::string& port) {
@@ -63,6 +71,43 @@ TEST_F(TriggersCli, BytesOfASessionArriveAndAreStoredWithTheirInstants) {
     EXPECT_EQ(trial.triggers.at(1).planned, trial.onsets.at(0).planned);
     EXPECT_EQ(trial.triggers.at(2).planned, trial.response.submitted);
   }
+}
+
+/// Lines that arrive from a local socket until it is closed.
+std::string lines_from(const std::string& path) {
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof(address.sun_path) - 1);
+  std::string lines;
+  if (::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0) {
+    std::array<char, 4096> part{};
+    for (auto size = ::read(socket, part.data(), part.size()); size > 0;
+         size = ::read(socket, part.data(), part.size())) {
+      lines.append(part.data(), static_cast<std::size_t>(size));
+    }
+  }
+  ::close(socket);
+  return lines;
+}
+
+TEST_F(TriggersCli, ProgramsThatListenHearOfEveryEvent) {
+  ask_for(R"({"socket": {"path": "t.socket"}})");
+  StartedCommand session{
+      files_.folder(), "bimodal", unattended({"--participant", "P01", "--trials", "1"}), {}};
+  ASSERT_TRUE(session.await("no display"));  // the devices are open
+  const auto lines = lines_from(path("t.socket"));
+  EXPECT_THAT(session.end(), ended(ExitCode::Done, HasSubstr("complete")));
+  for (const auto* event : {"trial_start", "auditory_zero", "stimulus_end", "response"}) {
+    EXPECT_THAT(lines,
+                HasSubstr(std::string{"{\"event\":\""} + event +
+                          "\",\"trial\":0,\"condition\":\"voice\",\"planned_ns\":"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("t.socket")));
+  const auto triggers = stored().at(0).trial.triggers;
+  EXPECT_THAT(events_of(triggers, "socket"),
+              ElementsAre("trial_start", "auditory_zero", "stimulus_end", "response"));
+  for (const auto& trigger : triggers) EXPECT_TRUE(trigger.sent.has_value());
 }
 
 TEST_F(TriggersCli, PortThatVanishesFlagsTrialsAndTheSessionGoesOn) {
