@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "protocols/model/face.hpp"
+#include "protocols/model/triggers.hpp"
 #include "stimuli/base/quantity.hpp"
 #include "stimuli/base/random.hpp"
 #include "stimuli/timeline/account.hpp"
@@ -92,8 +93,12 @@ struct Noise {
   Duration ramp = std::chrono::milliseconds{50};    ///< raised cosine at both ends
 };
 
+/// Channels of the sound output are counted from 1 to this.
+inline constexpr int kMostChannels = 32;
+
 struct Sound {
   Hertz rate{48'000};
+  std::vector<int> channels;     ///< that the stimulus is heard on; none: both ears, 1 and 2
   Decibels speech_level{-30.0};  ///< RMS of the speech interval, dB re full scale; constant
   Noise noise;
 };
@@ -156,6 +161,7 @@ struct Protocol {
   Intervals intervals;
   Sound sound;
   Window window;
+  Triggers triggers;
   Face face;  ///< the synthetic face, where conditions do not say otherwise
   std::string farewell;
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "protocols/model/talker.hpp"
+#include "protocols/reading/judge_triggers.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/json_text.hpp"
 
@@ -198,6 +199,7 @@ void judge_meaning(const Protocol& protocol,
   judge_intervals(protocol, findings);
   judge_window(protocol, findings);
   judge_face(protocol, findings);
+  judge_triggers(protocol, findings);
   if (words.empty()) return;
   judge_answers(protocol, words, findings);
   judge_breaks(protocol, words.size(), findings);

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "protocols/reading/read_condition.hpp"
+#include "protocols/reading/read_sound.hpp"
+#include "protocols/reading/read_triggers.hpp"
 #include "stimuli/base/json_text.hpp"
 #include "stimuli/base/lower_case.hpp"
 #include "stimuli/base/object_reader.hpp"
@@ -24,7 +26,6 @@ constexpr NumberRule kSeconds{0, 60, "a time in seconds, e.g. 0.5"};
 
 constexpr std::array<std::string_view, 2> kAssignments{"once", "every-condition"};
 constexpr std::array<std::string_view, 1> kResponseKinds{"typed"};
-constexpr std::array<std::string_view, 1> kNoiseKinds{"white"};
 constexpr std::array<std::string_view, 3> kFaceQualities{"auto", "fast", "full"};
 
 /// Replaces a default by what was read, if anything was.
@@ -180,46 +181,6 @@ void read_intervals(ObjectReader& parent, Intervals& intervals) {
   reader->refuse_unknown_keys();
 }
 
-void read_band(ObjectReader& reader, Noise& noise, Findings& findings) {
-  constexpr NumberRule kEdge{1, 96'000, "a frequency in Hz, e.g. 8000"};
-  const auto edges = reader.items("band_hz", 2, 2);
-  if (edges.empty()) return;
-  const auto low = reader.number_of(*edges[0].first, edges[0].second, kEdge);
-  const auto high = reader.number_of(*edges[1].first, edges[1].second, kEdge);
-  if (!low || !high) return;
-  if (*low >= *high) {
-    findings.error(reader.pointer_to("band_hz"),
-                   fmt::format("the lower edge, {} Hz, is not below the upper, {} Hz", *low, *high),
-                   "write the lower edge first, e.g. [80, 8000]");
-    return;
-  }
-  noise.band_low = Hertz{*low};
-  noise.band_high = Hertz{*high};
-}
-
-void read_noise(ObjectReader& parent, Noise& noise, Findings& findings) {
-  auto reader = parent.object("noise");
-  if (!reader) return;
-  static_cast<void>(reader->choice("kind", kNoiseKinds));
-  read_band(*reader, noise, findings);
-  take(noise.lead, reader->time("lead_s", 1s, kSeconds));
-  take(noise.trail, reader->time("trail_s", 1s, kSeconds));
-  take(noise.ramp, reader->time("ramp_ms", 1ms, {0, 1'000, "a time in milliseconds, e.g. 50"}));
-  reader->refuse_unknown_keys();
-}
-
-void read_sound(ObjectReader& parent, Sound& sound, Findings& findings) {
-  auto reader = parent.object("sound");
-  if (!reader) return;
-  const auto rate = reader->whole("rate_hz", {8'000, 192'000, "samples per second, e.g. 48000"});
-  if (rate) sound.rate = Hertz{static_cast<double>(*rate)};
-  const auto level = reader->number(
-      "speech_level_dbfs", {-80, 0, "the RMS level of the speech in dB re full scale, e.g. -30"});
-  if (level) sound.speech_level = Decibels{*level};
-  read_noise(*reader, sound.noise, findings);
-  reader->refuse_unknown_keys();
-}
-
 void read_window(ObjectReader& parent, Window& window, Findings& findings) {
   auto reader = parent.object("window");
   if (!reader) return;
@@ -293,6 +254,7 @@ Structure read_structure(const Json& json, const FaceReader& faces, Findings& fi
   read_intervals(reader, protocol.intervals);
   read_sound(reader, protocol.sound, findings);
   read_window(reader, protocol.window, findings);
+  protocol.triggers = read_triggers(reader, findings);
   reader.refuse_unknown_keys();
   return structure;
 }

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include "runner/devices/audio_output.hpp"
 #include "runner/devices/clock.hpp"
 #include "runner/devices/display.hpp"
 #include "runner/devices/keyboard.hpp"
+#include "runner/devices/triggers/trigger_line.hpp"
 
 namespace bimodal::runner {
 
@@ -23,6 +26,7 @@ struct Booth {
   Display& display;
   Keyboard& keyboard;
   AudioOutput& audio;
+  std::vector<TriggerLine*> trigger_lines{};  ///< to other equipment
   OnsetReference reference{};
 };
 

@@ -20,6 +20,9 @@ constexpr int kRefreshesWatched = 100;
 /// But no longer than this, for a display may stop telling.
 constexpr int kMostWatched = 300;
 
+/// How long to wait for the word of the lines to other equipment on what became of signals.
+constexpr Duration kTriggerPatience = std::chrono::milliseconds{300};
+
 constexpr const char* kStopQuestion =
     "Stop the session here?\n\nEscape: stop. What has been answered is kept.\nEnter: go on.";
 
@@ -41,7 +44,10 @@ KeystrokeRecord record_of(const Keystroke& stroke) {
 
 class SessionLoop {
  public:
-  explicit SessionLoop(const SessionParts& parts) : parts_{parts}, booth_{parts.booth} {}
+  explicit SessionLoop(const SessionParts& parts)
+      : parts_{parts},
+        booth_{parts.booth},
+        triggers_{parts.protocol.triggers, parts.booth.trigger_lines} {}
 
   SessionOutcome run() {
     for (const auto& step : session_steps(parts_.protocol, parts_.plan)) {
@@ -103,8 +109,9 @@ class SessionLoop {
                                 planned.index + 1,
                                 parts_.plan.size(),
                                 parts_.protocol.conditions.at(planned.condition).name));
+    triggers_.begin(record.trial, parts_.protocol.conditions.at(planned.condition).name);
     parts_.trials.hold();
-    static_cast<void>(present_trial(booth_, trial, machine, record));
+    static_cast<void>(present_trial(booth_, trial, machine, triggers_, record));
     parts_.trials.release();
     if (parts_.answer) booth_.keyboard.expect(parts_.answer(planned), booth_.clock.now());
     const bool go_on = collect_answer(machine, step.progress, record);
@@ -112,6 +119,7 @@ class SessionLoop {
       store_event("stopped", fmt::format("in trial {}, presented but not answered", planned.index));
       return false;
     }
+    finish_triggers(record);
     ++outcome_.trials;
     outcome_.flagged += record.flagged ? 1 : 0;
     return pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
@@ -148,6 +156,16 @@ class SessionLoop {
                          {.text = "Enter: next word", .centre_y = 0.86, .size = 0.025}};
     }
     present(screen);
+  }
+
+  /// Tells of the answer; the blank that follows it has begun when all lines have reported.
+  void finish_triggers(TrialRecord& record) {
+    if (!record.response.timed_out) {
+      triggers_.send(protocols::TriggerEvent::Response, Instant{record.response.submitted});
+    }
+    const auto latest = booth_.clock.now() + kTriggerPatience;
+    while (!triggers_.settled() && booth_.clock.now() < latest) present({});
+    triggers_.finish(record, booth_.clock.now());
   }
 
   static bool take_response(const TrialCommand& command, TrialRecord& record) {
@@ -225,6 +243,7 @@ class SessionLoop {
 
   const SessionParts& parts_;
   const Booth& booth_;
+  TriggerLog triggers_;
   SessionOutcome outcome_;
 };
 

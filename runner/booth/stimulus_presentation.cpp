@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/booth/patch.hpp"
 #include "runner/booth/shown_refreshes.hpp"
 #include "runner/devices/device_error.hpp"
 
@@ -54,11 +55,13 @@ class StimulusLoop {
                const PreparedTrial& trial,
                CueSheet& cues,
                TrialMachine& machine,
+               TriggerLog& triggers,
                TrialRecord& record)
       : booth_{booth},
         trial_{trial},
         cues_{cues},
         machine_{machine},
+        triggers_{triggers},
         record_{record},
         shown_{trial, record.refreshes} {}
 
@@ -70,12 +73,14 @@ class StimulusLoop {
       const auto due = next_refresh();
       if (due >= cues_.end()) break;
       show(due);
+      triggers_.follow_sound(trial_, cues_, booth_);
       for (const auto& stroke : booth_.keyboard.poll()) {
         static_cast<void>(machine_.on(stroke));  // may ask to stop; answered after the stimulus
       }
     }
     record_.stimulus_start = since_zero(cues_.first_refresh());
     record_.stimulus_end = since_zero(cues_.end());
+    triggers_.send(protocols::TriggerEvent::StimulusEnd, cues_.end());
     if (trial_.frames > 0) report_picture();
     if (trial_.sound) report_sound();
     report_offset();
@@ -113,7 +118,9 @@ class StimulusLoop {
   void show(Instant due) {
     const auto frame = trial_.frames > 0 ? cues_.frame_at(due) : std::nullopt;
     choose_picture(due, frame);
+    screen_.at_zero = zero_cue_.is_next(due, frame, booth_.display.refresh().period);
     const auto presented = booth_.display.present(screen_, due);
+    if (screen_.at_zero) pass_zero(presented);
     if (frame) {
       shown_.add(*frame, due, presented, booth_.display.refresh().period);
     } else {
@@ -133,6 +140,12 @@ class StimulusLoop {
     if (number == Film::kBlank) return;
     picture_ = picture_of(*trial_.film, number);
     screen_.picture = &picture_;
+  }
+
+  void pass_zero(const Presentation& presented) {
+    triggers_.zero_shown(presented, trial_, cues_);
+    zero_cue_.pass();
+    screen_.at_zero = false;
   }
 
   void report_picture() {
@@ -184,6 +197,7 @@ class StimulusLoop {
           "session again by --again"};
     }
     record_.onsets.push_back(onset);
+    triggers_.click_heard(onset);
     if (!playback.onset && booth_.audio.kind() != "none") {
       note("sound_unreported", "the device did not report the sound's onset");
     }
@@ -230,8 +244,10 @@ class StimulusLoop {
   const PreparedTrial& trial_;
   CueSheet& cues_;
   TrialMachine& machine_;
+  TriggerLog& triggers_;
   TrialRecord& record_;
   ShownRefreshes shown_;
+  ZeroCue zero_cue_{trial_, cues_};
   bool settled_ = false;  ///< time zero stays where it is
   Screen screen_;
   Picture picture_;
@@ -244,8 +260,9 @@ void present_stimulus(const Booth& booth,
                       const PreparedTrial& trial,
                       CueSheet& cues,
                       TrialMachine& machine,
+                      TriggerLog& triggers,
                       TrialRecord& record) {
-  StimulusLoop{booth, trial, cues, machine, record}.run();
+  StimulusLoop{booth, trial, cues, machine, triggers, record}.run();
 }
 
 }  // namespace bimodal::runner

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runner/booth/booth.hpp"
+#include "runner/booth/trigger_log.hpp"
 #include "runner/preparation/trial_preparer.hpp"
 #include "runner/session/cue_sheet.hpp"
 #include "runner/session/trial_machine.hpp"
@@ -9,8 +10,9 @@
 namespace bimodal::runner {
 
 /// Shows and plays a prepared trial as its cue sheet says, and writes down in `record` what was
-/// shown and heard, when, and by whose word. Keystrokes go to `machine`. Returns when everything
-/// has been heard and seen. Throws DeviceError if the sound device is lost.
+/// shown and heard, when, and by whose word. Keystrokes go to `machine`, what other equipment is to
+/// know to `triggers`. Returns when everything has been heard and seen. Throws DeviceError if the
+/// sound device is lost. In the loop nothing is allocated but what keystrokes need.
 ///
 /// Until the sound must be handed over for good, picture and sound follow the screen's refreshes;
 /// from then on the frame of each refresh is the one that is due by the session clock, so that the
@@ -19,6 +21,7 @@ void present_stimulus(const Booth& booth,
                       const PreparedTrial& trial,
                       CueSheet& cues,
                       TrialMachine& machine,
+                      TriggerLog& triggers,
                       TrialRecord& record);
 
 }  // namespace bimodal::runner

@@ -17,10 +17,12 @@ constexpr Duration kSchedulingMargin = std::chrono::milliseconds{50};
 CueSheet present_trial(const Booth& booth,
                        const PreparedTrial& trial,
                        TrialMachine& machine,
+                       TriggerLog& triggers,
                        TrialRecord& record) {
   Screen fixation;
   fixation.fixation = true;
   const auto shown = booth.display.present(fixation, booth.clock.now());
+  triggers.send(protocols::TriggerEvent::TrialStart, shown.onset);
   const auto commands = machine.on(FixationShown{shown.onset});
   const auto earliest = std::get<StartStimulus>(commands.at(0)).earliest;
   const auto sound_ahead = trial.layout.has_sound ? booth.audio.lead_time() : Duration{};
@@ -34,7 +36,7 @@ CueSheet present_trial(const Booth& booth,
                 booth.display.refresh(),
                 std::max(earliest, now + kSchedulingMargin),
                 now + booth.audio.lead_time()};
-  present_stimulus(booth, trial, cues, machine, record);
+  present_stimulus(booth, trial, cues, machine, triggers, record);
   static_cast<void>(machine.on(StimulusEnded{cues.end()}));
   return cues;
 }

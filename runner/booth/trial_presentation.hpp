@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runner/booth/booth.hpp"
+#include "runner/booth/trigger_log.hpp"
 #include "runner/preparation/trial_preparer.hpp"
 #include "runner/session/cue_sheet.hpp"
 #include "runner/session/trial_machine.hpp"
@@ -15,6 +16,7 @@ namespace bimodal::runner {
 CueSheet present_trial(const Booth& booth,
                        const PreparedTrial& trial,
                        TrialMachine& machine,
+                       TriggerLog& triggers,
                        TrialRecord& record);
 
 }  // namespace bimodal::runner

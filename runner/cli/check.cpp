@@ -8,6 +8,7 @@
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_face.hpp"
+#include "runner/cli/session_triggers.hpp"
 #include "runner/cli/sound_check.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/preparation/films_ahead.hpp"
@@ -201,6 +202,8 @@ void print_face(const ReadProtocol& read, const std::vector<protocols::PlannedTr
 std::vector<Diagnostic> check_stimuli(const ReadProtocol& read, const std::string& file) {
   auto found = check_media(read, file);
   if (has_errors(found)) return found;
+  const auto equipment = check_trigger_equipment(read, file);
+  found.insert(found.end(), equipment.begin(), equipment.end());
   Repertoire repertoire{read.protocol.sound.rate, read.corpora};
   TrialPreparer preparer{read.protocol, repertoire, nullptr, Hertz{60}};
   const auto sounds = check_sounds(read, every_stimulus(read), preparer, file);

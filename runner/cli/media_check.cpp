@@ -192,13 +192,32 @@ class MediaCheck {
                          window.height),
              "lower \"height\" of the look or /window/face_height, or enlarge the window");
       }
+      check_patch(width, static_cast<double>(look.height));
     } catch (const Error& error) {
       find(error.what(), "mend \"look\"");
     }
   }
 
-  void find(std::string finding, std::string remedy) {
-    diagnostics_.push_back({.severity = Severity::Error,
+  /// Whether the patch for a photodiode hides a part of the picture, so many pixels in size.
+  void check_patch(double width, double height) {
+    const auto& photodiode = read_.protocol.triggers.photodiode;
+    if (!photodiode) return;
+    const auto& window = read_.protocol.window;
+    const auto patch = protocols::patch_box(*photodiode, window.width, window.height);
+    const auto lies_beside = [](double from, double size, int patch_from, int patch_size) {
+      return patch_from >= from + size || patch_from + patch_size <= from;
+    };
+    if (lies_beside((window.width - width) / 2, width, patch.left, patch.width) ||
+        lies_beside((window.height - height) / 2, height, patch.top, patch.height)) {
+      return;
+    }
+    find("the patch for the photodiode (/triggers/photodiode) hides a part of the picture",
+         "move it, make it smaller, or lower /window/face_height or \"height\" of the look",
+         Severity::Warning);
+  }
+
+  void find(std::string finding, std::string remedy, Severity severity = Severity::Error) {
+    diagnostics_.push_back({.severity = severity,
                             .file = file_,
                             .line = lines_.line_of(pointer_),
                             .pointer = pointer_,

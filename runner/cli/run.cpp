@@ -5,15 +5,17 @@
 
 #include <fmt/format.h>
 
+#include "runner/booth/patch.hpp"
 #include "runner/booth/session_loop.hpp"
 #include "runner/cli/interrupt.hpp"
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_face.hpp"
+#include "runner/cli/session_preparation.hpp"
 #include "runner/cli/session_setup.hpp"
+#include "runner/cli/session_triggers.hpp"
 #include "runner/cli/simulated_answers.hpp"
-#include "runner/cli/sound_check.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/devices/headless/headless_display.hpp"
 #include "runner/devices/monotonic_clock.hpp"
@@ -22,8 +24,8 @@
 #include "runner/devices/sdl/sdl_keyboard.hpp"
 #include "runner/devices/silent/silent_audio.hpp"
 #include "runner/devices/simulated/simulated_keyboard.hpp"
-#include "runner/preparation/films_ahead.hpp"
 #include "runner/preparation/preparation_queue.hpp"
+#include "runner/preparation/sound_channels.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {
@@ -44,15 +46,18 @@ struct RunOptions {
   bool windowed = false;
   bool again = false;
   bool no_cache = false;
+  bool no_triggers = false;
 };
 
 /// The devices of a real session, in the order in which they must be closed.
 struct Devices {
   MonotonicClock clock;
   std::unique_ptr<SdlWindow> window;
-  std::unique_ptr<Display> display;
+  std::unique_ptr<Display> screen;
+  std::unique_ptr<Display> display;  ///< the screen, with a patch if one is asked for
   std::unique_ptr<Keyboard> keyboard;
   std::unique_ptr<AudioOutput> audio;
+  std::vector<std::unique_ptr<TriggerSender>> trigger_lines;
 };
 
 SdlWindow::Options window_options(const protocols::Protocol& protocol, bool windowed) {
@@ -68,19 +73,40 @@ SdlWindow::Options window_options(const protocols::Protocol& protocol, bool wind
 
 /// What is on the screen while the display is measured: the first page, so that nobody waits for
 /// it.
-Screen opening_screen(const protocols::Protocol& protocol) {
-  return protocol.instructions.empty() ? Screen{} : page_screen(protocol.instructions.front());
+Screen opening_screen(const protocols::Protocol& protocol, const std::optional<Patch>& patch) {
+  auto screen =
+      protocol.instructions.empty() ? Screen{} : page_screen(protocol.instructions.front());
+  if (patch) screen.marks.push_back(patch->at_rest);
+  return screen;
+}
+
+std::optional<Patch> patch_for(const protocols::Protocol& protocol, const SdlWindow* window) {
+  const auto& photodiode = protocol.triggers.photodiode;
+  if (!photodiode) return std::nullopt;
+  const auto size = window != nullptr
+                        ? window->size()
+                        : SdlWindow::Size{protocol.window.width, protocol.window.height};
+  return patch_of(*photodiode, size.width, size.height);
 }
 
 std::unique_ptr<Devices> open_devices(const protocols::Protocol& protocol,
                                       const RunOptions& options) {
   auto opened = std::make_unique<Devices>();
   auto& devices = *opened;
-  if (options.display == "headless") {
-    devices.display = std::make_unique<HeadlessDisplay>();
-  } else {
+  devices.trigger_lines = open_trigger_lines(protocol.triggers);
+  if (options.display != "headless") {
     devices.window = std::make_unique<SdlWindow>(window_options(protocol, options.windowed));
-    devices.display = std::make_unique<SdlDisplay>(*devices.window, opening_screen(protocol));
+  }
+  const auto patch = patch_for(protocol, devices.window.get());
+  if (!devices.window) {
+    devices.screen = std::make_unique<HeadlessDisplay>();
+  } else {
+    devices.screen = std::make_unique<SdlDisplay>(*devices.window, opening_screen(protocol, patch));
+  }
+  if (patch) {
+    devices.display = std::make_unique<PatchedDisplay>(*devices.screen, *patch);
+  } else {
+    devices.display = std::move(devices.screen);
   }
   if (options.answers == "simulated" || !devices.window) {
     devices.keyboard = std::make_unique<SimulatedKeyboard>(devices.clock);
@@ -90,8 +116,10 @@ std::unique_ptr<Devices> open_devices(const protocols::Protocol& protocol,
   if (options.audio == "none") {
     devices.audio = std::make_unique<SilentAudio>(devices.clock, protocol.sound.rate);
   } else {
-    devices.audio = std::make_unique<PortaudioOutput>(PortaudioOptions{
-        .device = options.audio == "default" ? "" : options.audio, .rate = protocol.sound.rate});
+    devices.audio = std::make_unique<PortaudioOutput>(
+        PortaudioOptions{.device = options.audio == "default" ? "" : options.audio,
+                         .rate = protocol.sound.rate,
+                         .channels = channels_needed(protocol)});
   }
   return opened;
 }
@@ -99,49 +127,6 @@ std::unique_ptr<Devices> open_devices(const protocols::Protocol& protocol,
 void tell(std::string_view what) {
   fmt::print("{}\n", what);
   std::fflush(stdout);
-}
-
-/// What preparing borrows.
-struct Workplace {
-  const protocols::ReadProtocol& read;
-  const std::vector<protocols::PlannedTrial>& plan;
-  Repertoire& repertoire;
-  Hertz drawing_rate;
-  ChosenQuality quality;
-  const RunOptions& options;
-};
-
-/// Prepares on the queue's thread: first every sound of the session is made and judged; then, if
-/// the face cannot be drawn as fast as trials follow each other, all films are drawn; then trial
-/// after trial is mixed and drawn.
-PreparationQueue::Prepare make_prepare(const Workplace& at) {
-  struct Workshop {
-    std::optional<FilmStudio> studio;
-    std::optional<TrialPreparer> preparer;
-    bool draws_ahead = false;
-  };
-
-  const auto& protocol = at.read.protocol;
-  auto workshop = std::make_shared<Workshop>();
-  std::optional<FilmCache> cache;
-  const auto folder = film_cache_folder();
-  if (folder && !at.options.no_cache) cache.emplace(*folder);
-  workshop->draws_ahead = cache && draws_too_slowly(at.quality);
-  workshop->studio.emplace(protocol.window, at.read.corpora, at.quality.quality, std::move(cache));
-  workshop->preparer.emplace(protocol, at.repertoire, &*workshop->studio, at.drawing_rate);
-  const auto found = check_sounds(at.read, at.plan, *workshop->preparer, at.options.protocol.named);
-  if (has_errors(found)) throw Error{describe(found.front())};
-  return [workshop, at](const protocols::PlannedTrial& trial, const Checkpoint& checkpoint) {
-    if (std::exchange(workshop->draws_ahead, false)) {
-      draw_films_ahead(at.plan,
-                       *workshop->preparer,
-                       workshop->studio->room(),
-                       film_time(*at.quality.pace),
-                       checkpoint,
-                       tell);
-    }
-    return workshop->preparer->prepare(trial, checkpoint);
-  };
 }
 
 void report_outcome(const SessionOutcome& outcome,
@@ -172,8 +157,12 @@ void refuse_what_nobody_could_answer(const RunOptions& options) {
 
 ExitCode run(const RunOptions& options) {
   refuse_what_nobody_could_answer(options);
-  const auto read = load_protocol(options.protocol);
+  auto read = load_protocol(options.protocol);
   if (!read) return ExitCode::InvalidInput;
+  std::string left_out;
+  if (options.no_triggers) {
+    left_out = trigger_kinds(std::exchange(read->protocol.triggers, {}));
+  }
   const auto& protocol = read->protocol;
   const protocols::SessionKey key{
       .participant_number = participant_number(options.participant, options.number),
@@ -203,10 +192,16 @@ ExitCode run(const RunOptions& options) {
   const auto drawing_rate = drawing_rate_for(devices->display->refresh().period);
   const auto quality = face ? quality_of(*face, protocol, drawing_rate) : ChosenQuality{};
   if (face) tell(describe(quality));
-  PreparationQueue queue{
-      plan, [&] {
-        return make_prepare({*read, plan, repertoire, drawing_rate, quality, options});
-      }};
+  PreparationQueue queue{plan, [&] {
+                           return prepare_session({.read = *read,
+                                                   .named = options.protocol.named,
+                                                   .plan = plan,
+                                                   .repertoire = repertoire,
+                                                   .drawing_rate = drawing_rate,
+                                                   .quality = quality,
+                                                   .keeps_films = !options.no_cache,
+                                                   .tell = tell});
+                         }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     auto record = session_record(*read, options.participant, key);
     record.simulated_answers = simulated;
@@ -225,13 +220,23 @@ ExitCode run(const RunOptions& options) {
                      .kind = "shortened",
                      .detail = fmt::format("{} trials by --trials or --no-practice", plan.size())});
     }
+    if (!left_out.empty()) {
+      store->add(id,
+                 EventRecord{.at = devices->clock.now().time_since_epoch(),
+                             .kind = "no_triggers",
+                             .detail = left_out + " left out by --no-triggers"});
+    }
     return id;
   };
   stop_at_interrupt();
   const auto outcome = run_session(
       {.protocol = protocol,
        .plan = plan,
-       .booth = {devices->clock, *devices->display, *devices->keyboard, *devices->audio},
+       .booth = {.clock = devices->clock,
+                 .display = *devices->display,
+                 .keyboard = *devices->keyboard,
+                 .audio = *devices->audio,
+                 .trigger_lines = borrowed(devices->trigger_lines)},
        .trials = queue,
        .store = writer,
        .begin = begin,
@@ -281,6 +286,9 @@ void add_run(CLI::App& app, Verb& chosen) {
       "--no-cache",
       options->no_cache,
       "draws every film of the face, and keeps none in ~/.cache/bimodal ($BIMODAL_CACHE)");
+  verb->add_flag("--no-triggers",
+                 options->no_triggers,
+                 "without the protocol's triggers, for trying out without the equipment");
   verb->add_flag("--again", options->again, "although this participant has this session already");
   verb->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -26,6 +26,8 @@ std::vector<TimedTrial> run_timing(const Booth& booth,
                                    const std::function<bool()>& stopped) {
   const auto flash = make_flash_trial(plan.flash);
   Random random{plan.seed};
+  const protocols::Triggers none;
+  TriggerLog triggers{none, booth.trigger_lines};
   std::vector<TimedTrial> trials;
   trials.reserve(static_cast<std::size_t>(plan.trials));
   for (int index = 0; index < plan.trials && !stopped(); ++index) {
@@ -36,7 +38,7 @@ std::vector<TimedTrial> run_timing(const Booth& booth,
     TrialMachine machine{{.fixation = fixation, .time_limit = {}}};
     TimedTrial timed;
     timed.record.trial = index;
-    static_cast<void>(present_trial(booth, flash, machine, timed.record));
+    static_cast<void>(present_trial(booth, flash, machine, triggers, timed.record));
     timed.visual = reported(timed.record, "visual");
     timed.auditory = reported(timed.record, "auditory");
     after(index, timed);

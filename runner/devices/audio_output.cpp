@@ -1,5 +1,6 @@
 #include "runner/devices/audio_output.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,8 +11,12 @@ namespace bimodal::runner {
 
 Duration duration(const Sound& sound) {
   constexpr double kNanosecondsPerSecond = 1e9;
-  const auto samples = static_cast<double>(sound.samples ? sound.samples->size() : 0);
-  return Duration{std::llround(samples / sound.rate.count() * kNanosecondsPerSecond)};
+  std::size_t samples = sound.samples ? sound.samples->size() : 0;
+  if (const auto& marker = sound.marker) {
+    samples = std::max(samples, static_cast<std::size_t>(marker->start) + marker->samples->size());
+  }
+  return Duration{
+      std::llround(static_cast<double>(samples) / sound.rate.count() * kNanosecondsPerSecond)};
 }
 
 void require_playable(const Sound& sound, Hertz output_rate) {

@@ -7,18 +7,30 @@
 #include <string_view>
 #include <vector>
 
+#include "runner/realtime/channel_set.hpp"
 #include "runner/timing/clock_map.hpp"
 #include "stimuli/base/quantity.hpp"
 
 namespace bimodal::runner {
 
-/// Samples to be played, kept alive by the output until they have been. One channel, played on all.
+/// What other equipment is to hear with a sound: its first sample leaves with the sound's sample
+/// `start`, however late that is.
+struct Marker {
+  std::shared_ptr<const std::vector<float>> samples;
+  std::int64_t start = 0;  ///< >= 0
+  ChannelSet channels;
+};
+
+/// Samples to be played, kept alive by the output until they have been. The same on each of its
+/// channels; of these, an output leaves out those that it does not have.
 struct Sound {
   Hertz rate{48'000};
   std::shared_ptr<const std::vector<float>> samples;
+  ChannelSet channels = kBothEars;
+  std::optional<Marker> marker{};
 };
 
-/// To the nearest nanosecond.
+/// To the nearest nanosecond, the marker included.
 [[nodiscard]] Duration duration(const Sound& sound);
 
 /// Throws Error if the sound has no samples or another rate than the output.

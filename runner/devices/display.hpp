@@ -56,6 +56,8 @@ struct Screen {
   std::vector<Caption> captions{};
   double progress = -1.0;     ///< part of the session done, as a bar at the bottom; < 0: no bar
   std::vector<Mark> marks{};  ///< in this order, below the captions
+  /// The stimulus's time zero is seen here first: a patch for a photodiode changes now.
+  bool at_zero = false;
 };
 
 /// What became of one requested refresh.

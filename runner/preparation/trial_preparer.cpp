@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/preparation/sound_channels.hpp"
 #include "stimuli/audio/time_scale.hpp"
 #include "stimuli/base/error.hpp"
 
@@ -145,7 +146,9 @@ PreparedTrial TrialPreparer::prepare(const PlannedTrial& trial, const Checkpoint
     prepared.sound_record = record_of(*mixed);
     prepared.sound = Sound{
         .rate = mixed->sound.rate,
-        .samples = std::make_shared<const std::vector<float>>(std::move(mixed->sound.samples))};
+        .samples = std::make_shared<const std::vector<float>>(std::move(mixed->sound.samples)),
+        .channels = stimulus_channels(protocol_.sound),
+        .marker = click_marker(protocol_, prepared.layout.sound_lead)};
   }
   if (condition.visual_talker) {
     prepared.frames = frame_count(prepared.layout, drawing_rate_);

@@ -6,6 +6,24 @@
 
 namespace bimodal::runner {
 
+namespace {
+
+/// Adds a sample to some of the channels of one frame of the stream.
+void add_sample(std::span<float> frame, ChannelSet channels, float sample) noexcept {
+  for (std::size_t channel = 0; channel < frame.size(); ++channel) {
+    if (channels.has(channel)) frame[channel] += sample;
+  }
+}
+
+/// Of the sound or of its marker, whichever ends later.
+std::int64_t whole_length(const MixerCommand& command) noexcept {
+  const auto& marker = command.marker;
+  return marker.length == 0 ? command.length
+                            : std::max(command.length, marker.start + marker.length);
+}
+
+}  // namespace
+
 void Mixer::render(std::span<float> output, std::size_t channels, bool underflow) noexcept {
   std::ranges::fill(output, 0.0F);
   take_commands();
@@ -74,19 +92,24 @@ void Mixer::add(Voice& voice, std::span<float> output, std::size_t channels) con
     voice.started = true;
     voice.started_at = position_ + frame;
   }
-  while (frame < frames && voice.next < voice.command.length && voice.fade_left != 0) {
-    float sample = voice.command.samples[voice.next++];
+  const auto& command = voice.command;
+  const auto length = whole_length(command);
+  while (frame < frames && voice.next < length && voice.fade_left != 0) {
+    float gain = 1.0F;
     if (voice.fade_left > 0) {
       const double rest =
           static_cast<double>(voice.fade_left--) / static_cast<double>(fade_length_);
-      sample *= static_cast<float>(0.5 * (1.0 - std::cos(std::numbers::pi * rest)));
+      gain = static_cast<float>(0.5 * (1.0 - std::cos(std::numbers::pi * rest)));
     }
-    for (std::size_t channel = 0; channel < channels; ++channel) {
-      output[static_cast<std::size_t>(frame) * channels + channel] += sample;
+    const auto at = voice.next++;
+    const auto heard = output.subspan(static_cast<std::size_t>(frame++) * channels, channels);
+    if (at < command.length) add_sample(heard, command.channels, gain * command.samples[at]);
+    const auto in_marker = at - command.marker.start;
+    if (in_marker >= 0 && in_marker < command.marker.length) {
+      add_sample(heard, command.marker.channels, gain * command.marker.samples[in_marker]);
     }
-    ++frame;
   }
-  if (voice.next == voice.command.length || voice.fade_left == 0) {
+  if (voice.next == length || voice.fade_left == 0) {
     voice.finished = true;
     voice.finished_at = position_ + frame;
   }

@@ -6,9 +6,18 @@
 #include <optional>
 #include <span>
 
+#include "runner/realtime/channel_set.hpp"
 #include "runner/realtime/spsc_queue.hpp"
 
 namespace bimodal::runner {
+
+/// Samples that are played with a sound, on channels of their own; borrowed as the sound's are.
+struct MixerMarker {
+  const float* samples = nullptr;
+  std::int64_t length = 0;  ///< 0: none
+  std::int64_t start = 0;   ///< the sound's sample that is played with its first one; >= 0
+  ChannelSet channels;
+};
 
 /// What the control side asks of the mixer. Samples are borrowed: they must stay where they are
 /// until the Finished report of their sound.
@@ -23,6 +32,8 @@ struct MixerCommand {
   const float* samples = nullptr;
   std::int64_t length = 0;
   std::int64_t start = 0;  ///< stream sample; in the past: at once, and the report says where
+  ChannelSet channels = kBothEars;
+  MixerMarker marker{};  ///< goes where the sound goes: late by as much, faded with it
 };
 
 /// What the mixer tells the control side.
@@ -37,7 +48,8 @@ struct MixerReport {
   std::int64_t underflows = 0;  ///< buffers that came late while it played; in Finished
 };
 
-/// Places sounds of one channel into an endless stream at exact samples. `render` belongs to the
+/// Places sounds of one channel into an endless stream at exact samples, each on its channels; the
+/// others stay exactly silent. `render` belongs to the
 /// audio callback: it never locks, allocates, throws or prints. `post` and `next_report` belong to
 /// one other thread. The stream's samples are counted from 0 by what was rendered.
 class Mixer {
@@ -52,7 +64,7 @@ class Mixer {
 
   [[nodiscard]] std::optional<MixerReport> next_report() noexcept { return reports_.try_pop(); }
 
-  /// Fills `output` (frame after frame, `channels` equal samples each) with the next samples of the
+  /// Fills `output` (frame after frame, `channels` samples each) with the next samples of the
   /// stream. `underflow`: the device ran dry before this buffer.
   void render(std::span<float> output, std::size_t channels, bool underflow) noexcept;
 

@@ -12,6 +12,7 @@
 #include <portaudio.h>
 
 #include "runner/devices/device_error.hpp"
+#include "runner/devices/portaudio/output_channels.hpp"
 #include "runner/devices/portaudio/portaudio_session.hpp"
 #include "runner/devices/portaudio/portaudio_stream.hpp"
 #include "runner/realtime/latest_ring.hpp"
@@ -37,6 +38,13 @@ Instant monotonic_now() noexcept {
   timespec time{};
   ::clock_gettime(CLOCK_MONOTONIC, &time);
   return Instant{std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec}};
+}
+
+MixerMarker mixer_marker(const Marker& marker) {
+  return {.samples = marker.samples->data(),
+          .length = static_cast<std::int64_t>(marker.samples->size()),
+          .start = marker.start,
+          .channels = marker.channels};
 }
 
 }  // namespace
@@ -90,7 +98,7 @@ struct PortaudioOutput::Stream {
   ClockMap clock;
   Instant last_reading;
 
-  std::map<std::uint64_t, std::shared_ptr<const std::vector<float>>> borrowed;
+  std::map<std::uint64_t, Sound> borrowed;
   std::uint64_t present = 0;  ///< number of the last scheduled sound; 0: none
   std::int64_t start = 0;     ///< stream sample for which it is scheduled
   Playback playback;
@@ -101,7 +109,8 @@ struct PortaudioOutput::Stream {
 PortaudioOutput::Stream::Stream(const PortaudioOptions& options)
     : device{choose_device(session.devices(), options.device)},
       rate{options.rate},
-      channels{static_cast<std::size_t>(std::min(device.channels, 2))},
+      channels{static_cast<std::size_t>(
+          choose_channels(device, options.channels, options.rate.count()))},
       mixer{nearest_sample(kFade, options.rate).count()},
       clock{options.rate} {
   playback.finished = true;
@@ -288,8 +297,10 @@ void PortaudioOutput::schedule(const Sound& sound, Instant onset) {
                .sound = number,
                .samples = sound.samples->data(),
                .length = static_cast<std::int64_t>(sound.samples->size()),
-               .start = stream.start});
-  stream.borrowed[number] = sound.samples;
+               .start = stream.start,
+               .channels = sound.channels,
+               .marker = sound.marker ? mixer_marker(*sound.marker) : MixerMarker{}});
+  stream.borrowed[number] = sound;
   stream.present = number;
   stream.started = false;
   stream.playback = Playback{};

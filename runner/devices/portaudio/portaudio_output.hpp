@@ -15,6 +15,7 @@ struct PortaudioOptions {
                        ///< the default device
   Hertz rate{48'000};
   unsigned long buffer = 0;  ///< frames per callback; 0: what the device prefers
+  int channels = 0;  ///< that must be there; 0: the first two, or the only one of the device
 };
 
 /// One line per device with outputs: "2: system (JACK Audio Connection Kit), 2 channels, 48000 per
@@ -29,7 +30,7 @@ class PortaudioOutput final : public AudioOutput {
  public:
   /// Opens the stream and waits until its clock is known (some tenths of a second). Throws
   /// DeviceError, naming the devices found and what to do, if there is no such device, or it
-  /// refuses the rate, or asks for no samples.
+  /// has too few channels, refuses the rate, or asks for no samples.
   explicit PortaudioOutput(const PortaudioOptions& options = {});
   PortaudioOutput(const PortaudioOutput&) = delete;
   PortaudioOutput& operator=(const PortaudioOutput&) = delete;

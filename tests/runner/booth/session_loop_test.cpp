@@ -13,6 +13,7 @@
 #include "runner/devices/simulated/simulated_keyboard.hpp"
 #include "runner/devices/simulated/virtual_clock.hpp"
 #include "runner/store/store_error.hpp"
+#include "tests/runner/booth/fake_line.hpp"
 
 namespace bimodal::runner {
 namespace {
@@ -132,13 +133,16 @@ class SessionLoopTest : public testing::Test {
     plan_ = plan_of(trials);
     SimulatedKeyboard typist{clock_};
     StoreWriter writer{store_};
-    SessionParts parts{
-        .protocol = protocol_,
-        .plan = plan_,
-        .booth = {clock_, display_, other_keyboard != nullptr ? *other_keyboard : typist, audio_},
-        .trials = trials_,
-        .store = writer,
-        .begin = [](const RefreshEstimate&) { return std::int64_t{7}; }};
+    SessionParts parts{.protocol = protocol_,
+                       .plan = plan_,
+                       .booth = {clock_,
+                                 display_,
+                                 other_keyboard != nullptr ? *other_keyboard : typist,
+                                 audio_,
+                                 std::vector<TriggerLine*>{&line_}},
+                       .trials = trials_,
+                       .store = writer,
+                       .begin = [](const RefreshEstimate&) { return std::int64_t{7}; }};
     if (other_keyboard == nullptr) {
       parts.answer = [](const protocols::PlannedTrial& trial) { return trial.word.spelling; };
     }
@@ -167,6 +171,7 @@ class SessionLoopTest : public testing::Test {
   std::vector<protocols::PlannedTrial> plan_;
   PlainTrials trials_{plan_};
   MemoryStore store_;
+  FakeLine line_{"socket"};
 };
 
 TEST_F(SessionLoopTest, StoresEveryTrialWithItsAnswer) {
@@ -221,6 +226,36 @@ TEST_F(SessionLoopTest, StatesTheAudioVisualOffsetAsAudioMinusVisual) {
   EXPECT_NEAR(std::chrono::duration<double>(*onsets[1].reported - *onsets[0].reported).count(),
               0.080,
               1e-6);
+}
+
+TEST_F(SessionLoopTest, TellsOtherEquipmentWhenTrialsBeginAndWhenTheyAreAnswered) {
+  std::vector<Instant> fixations;
+  bool was_fixation = false;
+  display_.observe([&](const Screen& screen, const Presentation& shown) {
+    if (screen.fixation && !was_fixation) fixations.push_back(shown.onset);
+    was_fixation = screen.fixation;
+  });
+  static_cast<void>(run(3));
+  ASSERT_EQ(store_.trials.size(), 3U);
+  ASSERT_EQ(fixations.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& triggers = store_.trials[i].triggers;
+    ASSERT_EQ(triggers.size(), 5U);
+    EXPECT_EQ(triggers.front().event, "trial_start");
+    EXPECT_EQ(triggers.front().planned, fixations[i].time_since_epoch());
+    EXPECT_EQ(triggers.back().event, "response");
+    EXPECT_EQ(triggers.back().planned, store_.trials[i].response.submitted);
+    EXPECT_TRUE(triggers.back().sent.has_value());
+    EXPECT_EQ(line_.signals.at(5 * i).trial, static_cast<int>(i));
+    EXPECT_EQ(line_.signals.at(5 * i).condition, "bimodal");
+  }
+}
+
+TEST_F(SessionLoopTest, TellsNobodyOfAnAnswerThatWasNotGiven) {
+  protocol_.response.time_limit = 100ms;
+  static_cast<void>(run(1));
+  ASSERT_TRUE(store_.trials.at(0).response.timed_out);
+  EXPECT_EQ(store_.trials.at(0).triggers.back().event, "stimulus_end");
 }
 
 TEST_F(SessionLoopTest, FlagsATrialWhoseFramesWereLateAndSaysHowMany) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "runner/devices/device_error.hpp"
+#include "runner/devices/portaudio/output_channels.hpp"
 #include "runner/devices/portaudio/portaudio_session.hpp"
 
 namespace bimodal::runner {
@@ -73,6 +74,34 @@ TEST(ChooseDevice, NamesTheWayOutIfThereIsNoDevice) {
   EXPECT_EQ(message_of({}, ""),
             "cannot open a sound output: this machine has none; connect one, start a sound server, "
             "or run without sound by --audio none");
+}
+
+TEST(ChooseChannels, TakesTwoOrTheOnlyOneUnlessMoreAreAskedFor) {
+  AudioDevice device{.channels = 8};
+  const auto any = [](int) { return true; };
+  EXPECT_EQ(choose_channels(device, 0, any), 2);
+  EXPECT_EQ(choose_channels(device, 3, any), 3);
+  device.channels = 1;
+  EXPECT_EQ(choose_channels(device, 0, any), 1);
+}
+
+TEST(ChooseChannels, TakesMoreWhereTheDriverRefusesTheVeryNumber) {
+  const AudioDevice device{.channels = 8};
+  EXPECT_EQ(choose_channels(device, 3, [](int count) { return count % 2 == 0; }), 4);
+  EXPECT_EQ(choose_channels(device, 3, [](int count) { return count == 8; }), 8);
+  EXPECT_EQ(choose_channels(device, 3, [](int) { return false; }), 3);
+}
+
+TEST(ChooseChannels, RefusesADeviceWithTooFewAndSaysWhatItHas) {
+  const auto device = three_devices().at(1);
+  try {
+    (void)choose_channels(device, 3, [](int) { return true; });
+    FAIL() << "not refused";
+  } catch (const DeviceError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("hw:0 (ALSA), 2 channels"));
+    EXPECT_THAT(error.what(), HasSubstr("asks for its channel 3, and it has 2"));
+    EXPECT_THAT(error.what(), HasSubstr("/triggers/click/channel"));
+  }
 }
 
 TEST(PortaudioOutput, SaysWhatToDoOnAMachineWithoutSound) {

@@ -1,7 +1,9 @@
 #include "runner/realtime/mixer.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <numeric>
 #include <thread>
@@ -153,6 +155,122 @@ TEST(Mixer, FadesTheOldSoundWhenANewOneIsScheduled) {
   EXPECT_EQ(output[600], 0.0F);
 }
 
+ChannelSet channel_set(std::initializer_list<std::size_t> channels) {
+  ChannelSet set;
+  for (const auto channel : channels) set.add(channel);
+  return set;
+}
+
+/// What one channel of an interleaved stream carries.
+std::vector<float> channel_of(const std::vector<float>& stream,
+                              std::size_t channel,
+                              std::size_t channels) {
+  std::vector<float> samples;
+  for (auto i = channel; i < stream.size(); i += channels) samples.push_back(stream[i]);
+  return samples;
+}
+
+TEST(Mixer, PlaysASoundOnItsChannelsAndLeavesAllOthersExactlySilent) {
+  Random random{7};
+  for (int round = 0; round < 100; ++round) {
+    const std::size_t channels = 1 + random.below(8);
+    ChannelSet wanted;
+    for (std::size_t channel = 0; channel < 10; ++channel) {
+      if (random.below(2) == 0) wanted.add(channel);  // also some that are not there
+    }
+    const auto sound = ramp(50);
+    Mixer mixer{kFade};
+    auto command = start(1, sound, 20);
+    command.channels = wanted;
+    ASSERT_TRUE(mixer.post(command));
+    const auto stream = rendered(mixer, 100, channels);
+    std::vector<float> heard(100, 0.0F);
+    std::ranges::copy(sound, heard.begin() + 20);
+    const std::vector<float> silence(100, 0.0F);
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      ASSERT_EQ(channel_of(stream, channel, channels), wanted.has(channel) ? heard : silence);
+    }
+  }
+}
+
+TEST(Mixer, PlaysBothEarsUnlessItIsToldOtherwise) {
+  const auto sound = ramp(10);
+  Mixer mixer{kFade};
+  ASSERT_TRUE(mixer.post(start(1, sound, 0)));
+  const auto stream = rendered(mixer, 10, 4);
+  EXPECT_EQ(channel_of(stream, 0, 4), sound);
+  EXPECT_EQ(channel_of(stream, 1, 4), sound);
+  EXPECT_EQ(channel_of(stream, 2, 4), std::vector<float>(10, 0.0F));
+  EXPECT_EQ(channel_of(stream, 3, 4), std::vector<float>(10, 0.0F));
+}
+
+/// A sound of 100 samples on channel 0 whose marker of 4 samples begins with its sample 30.
+MixerCommand marked(const std::vector<float>& sound,
+                    const std::vector<float>& marker,
+                    std::int64_t at) {
+  auto command = start(1, sound, at);
+  command.channels = channel_set({0});
+  command.marker = {.samples = marker.data(),
+                    .length = static_cast<std::int64_t>(marker.size()),
+                    .start = 30,
+                    .channels = channel_set({2})};
+  return command;
+}
+
+TEST(Mixer, PlaysTheMarkerAtItsVerySampleOfTheSoundHoweverTheStreamIsCutIntoBuffers) {
+  Random random{8};
+  const auto sound = ramp(100);
+  const std::vector<float> marker(4, 0.5F);
+  for (int round = 0; round < 100; ++round) {
+    const auto at = random.below(300);
+    Mixer mixer{kFade};
+    ASSERT_TRUE(mixer.post(marked(sound, marker, static_cast<std::int64_t>(at))));
+    std::vector<float> stream;
+    while (stream.size() < 500 * 3) {
+      const auto buffer = rendered(mixer, 1 + random.below(64), 3);
+      stream.insert(stream.end(), buffer.begin(), buffer.end());
+    }
+    std::vector<float> clicks(stream.size() / 3, 0.0F);
+    std::fill_n(clicks.begin() + static_cast<std::ptrdiff_t>(at) + 30, 4, 0.5F);
+    ASSERT_EQ(channel_of(stream, 2, 3), clicks);
+    ASSERT_EQ(channel_of(stream, 1, 3), std::vector<float>(clicks.size(), 0.0F));
+    ASSERT_EQ(channel_of(stream, 0, 3)[at + 30], sound[30]);
+  }
+}
+
+TEST(Mixer, PlaysTheMarkerLateByAsMuchAsTheSound) {
+  const auto sound = ramp(100);
+  const std::vector<float> marker(4, 0.5F);
+  Mixer mixer{kFade};
+  (void)rendered(mixer, 1000, 3);
+  ASSERT_TRUE(mixer.post(marked(sound, marker, 400)));
+  const auto clicks = channel_of(rendered(mixer, 64, 3), 2, 3);
+  EXPECT_EQ(std::ranges::find(clicks, 0.5F) - clicks.begin(), 30);
+  expect_report(mixer, MixerReport::Kind::Started, 1, 1000);
+}
+
+TEST(Mixer, FadesTheMarkerWithItsSound) {
+  const std::vector<float> sound(1000, 1.0F);
+  const std::vector<float> marker(900, 1.0F);
+  Mixer mixer{kFade};
+  ASSERT_TRUE(mixer.post(marked(sound, marker, 0)));
+  (void)rendered(mixer, 100, 3);
+  ASSERT_TRUE(mixer.post({.kind = MixerCommand::Kind::Stop}));
+  const auto stream = rendered(mixer, 300, 3);
+  EXPECT_EQ(channel_of(stream, 2, 3), channel_of(stream, 0, 3));
+}
+
+TEST(Mixer, PlaysAMarkerThatEndsAfterItsSoundToItsEnd) {
+  const auto sound = ramp(32);
+  const std::vector<float> marker(10, 0.5F);
+  Mixer mixer{kFade};
+  ASSERT_TRUE(mixer.post(marked(sound, marker, 0)));
+  const auto clicks = channel_of(rendered(mixer, 64, 3), 2, 3);
+  EXPECT_EQ(std::ranges::count(clicks, 0.5F), 10);
+  expect_report(mixer, MixerReport::Kind::Started, 1, 0);
+  expect_report(mixer, MixerReport::Kind::Finished, 1, 40);
+}
+
 TEST(Mixer, CountsTheUnderflowsOfASound) {
   Mixer mixer{kFade};
   const auto sound = ramp(300);
@@ -194,10 +312,11 @@ TEST(Mixer, LosesNoReportWhenNobodyReads) {
 TEST(Mixer, DoesNotAllocateWhileRendering) {
   Mixer mixer{kFade};
   const auto sound = ramp(1000);
+  const std::vector<float> marker(4, 0.5F);
   std::vector<float> buffer(256);
   const auto before = allocations_of_this_thread();
   for (std::uint64_t i = 0; i < 20; ++i) {
-    (void)mixer.post(start(i, sound, 0));
+    (void)mixer.post(i % 2 == 0 ? start(i, sound, 0) : marked(sound, marker, 0));
     for (int k = 0; k < 3; ++k) mixer.render(buffer, 2, k == 1);
     while (mixer.next_report()) {
     }
