@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "runner/booth/participant_screens.hpp"
 #include "runner/booth/session_loop.hpp"
 #include "runner/cli/interrupt.hpp"
 #include "runner/cli/media_check.hpp"
