@@ -16,6 +16,7 @@
 #include "runner/cli/simulated_answers.hpp"
 #include "runner/cli/sound_check.hpp"
 #include "runner/cli/verbs.hpp"
+#include "runner/cli/watched_session.hpp"
 #include "runner/devices/headless/headless_display.hpp"
 #include "runner/devices/monotonic_clock.hpp"
 #include "runner/devices/portaudio/portaudio_output.hpp"
@@ -208,16 +209,19 @@ ExitCode run(const RunOptions& options) {
       plan, [&] {
         return make_prepare({*read, plan, repertoire, drawing_rate, quality, options});
       }};
+  auto record = session_record(*read, options.participant, key);
+  record.simulated_answers = simulated;
+  record.observer = simulated ? observer_name() : "";
+  record.display = record_of(*devices->display);
+  record.audio = record_of(*devices->audio);
+  WatchedSession watched{data, record, protocol, plan, devices->clock};
   const auto begin = [&](const RefreshEstimate& refresh) {
-    auto record = session_record(*read, options.participant, key);
-    record.simulated_answers = simulated;
-    record.observer = simulated ? observer_name() : "";
-    record.display = record_of(*devices->display);
-    record.audio = record_of(*devices->audio);
+    record.started_utc = utc_now();
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
     if (face) record.face = record_of(*face, quality);
+    watched.begin(record);
     const auto id = store->begin(record, plan_records(*read, plan));
     if (options.trials || options.no_practice) {
       store->add(id,
@@ -238,7 +242,8 @@ ExitCode run(const RunOptions& options) {
        .begin = begin,
        .answer = simulated ? simulated_answers(protocol, key, protocol.seed) : Answers{},
        .interrupted = interrupt_asked,
-       .announce = tell});
+       .announce = tell,
+       .overseer = &watched});
   if (outcome.session) {
     store->end(*outcome.session, outcome.complete ? "complete" : "stopped", utc_now());
   }
