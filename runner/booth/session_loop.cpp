@@ -1,14 +1,20 @@
 #include "runner/booth/session_loop.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <future>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "runner/booth/participant_screens.hpp"
+#include "runner/booth/pause.hpp"
+#include "runner/booth/progress_teller.hpp"
+#include "runner/booth/stop_question.hpp"
 #include "runner/booth/trial_presentation.hpp"
 #include "runner/session/session_steps.hpp"
 #include "runner/session/trial_machine.hpp"
+#include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {
 
@@ -22,9 +28,6 @@ constexpr int kMostWatched = 300;
 
 /// How long to wait for the word of the lines to other equipment on what became of signals.
 constexpr Duration kTriggerPatience = std::chrono::milliseconds{300};
-
-constexpr const char* kStopQuestion =
-    "Stop the session here?\n\nEscape: stop. What has been answered is kept.\nEnter: go on.";
 
 Duration since_zero(Instant at) {
   return at.time_since_epoch();
@@ -47,7 +50,8 @@ class SessionLoop {
   explicit SessionLoop(const SessionParts& parts)
       : parts_{parts},
         booth_{parts.booth},
-        triggers_{parts.protocol.triggers, parts.booth.trigger_lines} {}
+        triggers_{parts.protocol.triggers, parts.booth.trigger_lines},
+        oversight_{parts.overseer, parts.interrupted, parts.booth.clock} {}
 
   SessionOutcome run() {
     for (const auto& step : session_steps(parts_.protocol, parts_.plan)) {
@@ -57,11 +61,15 @@ class SessionLoop {
       if (!go_on) break;
     }
     outcome_.complete = outcome_.trials == static_cast<int>(parts_.plan.size());
+    teller_.ended(outcome_.complete ? "complete" : "stopped");
     return outcome_;
   }
 
-  /// What the participant sees while the session ends because of an error.
-  void show_neutral() { present({}); }
+  /// The session ends because of an error.
+  void fail(const std::string& why) {
+    present({});
+    teller_.failed(why);
+  }
 
  private:
   void present(const Screen& screen) {
@@ -76,12 +84,15 @@ class SessionLoop {
       parts_.announce("break");
       store_event("break", "");
     }
-    Screen question;
-    question.captions = {{.text = kStopQuestion, .centre_y = 0.45, .size = 0.035}};
+    const auto question = stop_question();
     bool confirming = false;
-    if (parts_.answer) booth_.keyboard.expect("", booth_.clock.now());
+    begin_page(page);
     while (true) {
-      if (parts_.interrupted()) return false;
+      if (oversight_.stop_asked()) return false;
+      if (oversight_.pause_asked()) {
+        if (!pause()) return false;
+        begin_page(page);
+      }
       present(confirming ? question : screen);
       for (const auto& stroke : booth_.keyboard.poll()) {
         const bool stop = asks_to_stop(stroke);
@@ -92,8 +103,15 @@ class SessionLoop {
     }
   }
 
+  void begin_page(const PageStep& page) {
+    teller_.page(page.text, page.is_break);
+    if (parts_.answer) booth_.keyboard.expect("", booth_.clock.now());
+  }
+
   bool run_trial(const TrialStep& step) {
     const auto& planned = parts_.plan.at(step.trial);
+    if (!take_requests()) return false;
+    tell_state(planned, TrialState::Preparing);
     if (!await_preparation(step.progress)) return false;
     const PreparedTrial trial = parts_.trials.next();
     begin_once();  // after preparing: of a session that cannot be prepared nothing is stored
@@ -110,9 +128,12 @@ class SessionLoop {
                                 parts_.plan.size(),
                                 parts_.protocol.conditions.at(planned.condition).name));
     triggers_.begin(record.trial, parts_.protocol.conditions.at(planned.condition).name);
+    tell_state(planned, TrialState::Presenting);
     parts_.trials.hold();
     static_cast<void>(present_trial(booth_, trial, machine, triggers_, record));
     parts_.trials.release();
+    tell_state(planned, TrialState::Responding);
+    const auto underflows = trial.sound ? booth_.audio.playback().underflows : 0;
     if (parts_.answer) booth_.keyboard.expect(parts_.answer(planned), booth_.clock.now());
     const bool go_on = collect_answer(machine, step.progress, record);
     if (!go_on) {
@@ -122,16 +143,17 @@ class SessionLoop {
     finish_triggers(record);
     ++outcome_.trials;
     outcome_.flagged += record.flagged ? 1 : 0;
-    return pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
+    teller_.answered(planned, record, underflows);
+    const bool stays = pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
+    teller_.stored(parts_.plan.size());
+    return stays;
   }
 
   /// False if the session is to be stopped; the unfinished trial is then not stored.
   bool collect_answer(TrialMachine& machine, double progress, TrialRecord& record) {
-    Screen screen;
-    screen.progress = progress;
     while (true) {
-      if (parts_.interrupted()) return false;
-      show_answer(machine, screen);
+      if (oversight_.stop_asked()) return false;
+      show_answer(machine, progress);
       for (const auto& stroke : booth_.keyboard.poll()) {
         if (machine.phase() == TrialMachine::Phase::Responding) {
           record.keystrokes.push_back(record_of(stroke));
@@ -147,14 +169,11 @@ class SessionLoop {
     }
   }
 
-  void show_answer(const TrialMachine& machine, Screen& screen) {
-    if (machine.phase() == TrialMachine::Phase::Confirming) {
-      screen.captions = {{.text = kStopQuestion, .centre_y = 0.45, .size = 0.035}};
-    } else {
-      screen.captions = {{.text = parts_.protocol.response.prompt, .centre_y = 0.40, .size = 0.035},
-                         {.text = machine.answer() + "_", .centre_y = 0.52, .size = 0.05},
-                         {.text = "Enter: next word", .centre_y = 0.86, .size = 0.025}};
-    }
+  void show_answer(const TrialMachine& machine, double progress) {
+    const bool confirming = machine.phase() == TrialMachine::Phase::Confirming;
+    auto screen = confirming ? stop_question()
+                             : answer_screen(parts_.protocol.response.prompt, machine.answer());
+    screen.progress = progress;
     present(screen);
   }
 
@@ -185,29 +204,12 @@ class SessionLoop {
     bool stop = false;
     while (!stop && booth_.clock.now() < end) {
       present({});
-      stop = stop_is_meant();
+      stop = stop_is_meant(booth_, oversight_);
     }
-    await(std::move(stored));
+    stored.get();
     if (stop) store_event("stopped", "between trials");
     return !stop;
   }
-
-  /// Where nothing else is typed: whether Escape or the closed window was meant.
-  bool stop_is_meant() {
-    if (std::ranges::none_of(booth_.keyboard.poll(), asks_to_stop)) return false;
-    Screen question;
-    question.captions = {{.text = kStopQuestion, .centre_y = 0.45, .size = 0.035}};
-    while (true) {
-      if (parts_.interrupted()) return true;
-      present(question);
-      for (const auto& stroke : booth_.keyboard.poll()) {
-        if (asks_to_stop(stroke)) return true;
-        if (stroke.key == Key::Enter) return false;
-      }
-    }
-  }
-
-  static void await(std::future<void> stored) { stored.get(); }
 
   void discard_keystrokes() { static_cast<void>(booth_.keyboard.poll()); }
 
@@ -215,7 +217,7 @@ class SessionLoop {
     if (outcome_.session) return;
     const bool measures = booth_.display.time_source() != TimeSource::Predicted;
     for (int more = 0; measures && more < kMostWatched; ++more) {
-      if (booth_.display.refresh().count >= kRefreshesWatched || parts_.interrupted()) break;
+      if (booth_.display.refresh().count >= kRefreshesWatched || oversight_.stop_asked()) break;
       present({});
       discard_keystrokes();
     }
@@ -223,45 +225,66 @@ class SessionLoop {
   }
 
   void store_event(std::string kind, std::string detail) {
-    await(parts_.store.add(*outcome_.session,
-                           EventRecord{.at = since_zero(booth_.clock.now()),
-                                       .kind = std::move(kind),
-                                       .detail = std::move(detail)}));
+    if (!outcome_.session) return;  // before the first trial nothing is stored
+    parts_.store
+        .add(*outcome_.session,
+             EventRecord{.at = since_zero(booth_.clock.now()),
+                         .kind = std::move(kind),
+                         .detail = std::move(detail)})
+        .get();
   }
 
   /// False if the session is to be stopped.
   bool await_preparation(double progress) {
-    Screen waiting;
-    waiting.captions = {{.text = "One moment, please ...", .centre_y = 0.45, .size = 0.035}};
+    auto waiting = waiting_screen();
     waiting.progress = progress;
     while (!parts_.trials.ready()) {
-      if (parts_.interrupted() || stop_is_meant()) return false;
+      if (!take_requests() || stop_is_meant(booth_, oversight_)) return false;
       present(waiting);
     }
     return true;
   }
 
+  /// Between trials. False if the session is to be stopped.
+  bool take_requests() {
+    if (oversight_.stop_asked()) {
+      store_event("stopped", "between trials, as asked from outside");
+      return false;
+    }
+    return !oversight_.pause_asked() || pause();
+  }
+
+  /// False if the session is to be stopped.
+  bool pause() {
+    store_event("paused", oversight_.reason());
+    parts_.announce("paused: " + oversight_.reason());
+    const auto end = hold_pause(booth_, oversight_);
+    const bool resumed = end == PauseEnd::Resumed;
+    parts_.announce(resumed ? "resumed" : "stopped");
+    store_event(resumed ? "resumed" : "stopped", resumed ? "" : "during a pause");
+    return resumed;
+  }
+
+  void tell_state(const protocols::PlannedTrial& trial, TrialState state) {
+    teller_.reached(trial, parts_.plan.size(), state);
+  }
+
   const SessionParts& parts_;
   const Booth& booth_;
   TriggerLog triggers_;
+  Oversight oversight_;
+  ProgressTeller teller_{booth_, oversight_};
   SessionOutcome outcome_;
 };
 
 }  // namespace
 
-Screen page_screen(std::string text) {
-  Screen screen;
-  screen.captions = {{.text = std::move(text), .centre_y = 0.42, .size = 0.035},
-                     {.text = "Press Enter to go on.", .centre_y = 0.86, .size = 0.025}};
-  return screen;
-}
-
 SessionOutcome run_session(const SessionParts& parts) {
   SessionLoop loop{parts};
   try {
     return loop.run();
-  } catch (...) {
-    loop.show_neutral();
+  } catch (const std::exception& error) {
+    loop.fail(describe(error));
     throw;
   }
 }

@@ -9,6 +9,7 @@
 #include "protocols/design/plan.hpp"
 #include "protocols/model/protocol.hpp"
 #include "runner/booth/booth.hpp"
+#include "runner/booth/overseer.hpp"
 #include "runner/preparation/trial_source.hpp"
 #include "runner/store/store_writer.hpp"
 
@@ -43,10 +44,10 @@ struct SessionParts {
 
   /// Told between stimuli what happens, for the experimenter's console.
   std::function<void(std::string_view)> announce = [](std::string_view) {};
-};
 
-/// A page of text that waits for Enter, as the participant sees it.
-[[nodiscard]] Screen page_screen(std::string text);
+  /// Who watches from outside, and may ask to pause, resume and stop; null: nobody.
+  Overseer* overseer = nullptr;
+};
 
 /// Runs one session from the first page to the last: `run` and `rehearse` differ only in the parts
 /// they put in. Every trial is committed before the next begins. Throws StoreError if data cannot

@@ -67,6 +67,7 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
       "needs?\n"
       "  bimodal rehearse words414 --participants 20 --data trial.sqlite\n"
       "  bimodal run words414 --participant P01        a real session\n"
+      "  bimodal monitor words414.sqlite               ... watched by the experimenter\n"
       "  bimodal-analysis report words414.sqlite -o report",
       "bimodal"};
   app.set_version_flag("--version", BIMODAL_VERSION);
@@ -75,6 +76,7 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
   bimodal::runner::Verb verb;
   bimodal::runner::add_check(app, verb);
   bimodal::runner::add_run(app, verb);
+  bimodal::runner::add_monitor(app, verb);
   bimodal::runner::add_rehearse(app, verb);
   bimodal::runner::add_align(app, verb);
   bimodal::runner::add_phones(app, verb);

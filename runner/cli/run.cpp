@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "runner/booth/patch.hpp"
+#include "runner/booth/participant_screens.hpp"
 #include "runner/booth/session_loop.hpp"
 #include "runner/cli/interrupt.hpp"
 #include "runner/cli/media_check.hpp"
@@ -17,6 +18,7 @@
 #include "runner/cli/session_triggers.hpp"
 #include "runner/cli/simulated_answers.hpp"
 #include "runner/cli/verbs.hpp"
+#include "runner/cli/watched_session.hpp"
 #include "runner/devices/headless/headless_display.hpp"
 #include "runner/devices/monotonic_clock.hpp"
 #include "runner/devices/portaudio/portaudio_output.hpp"
@@ -192,6 +194,12 @@ ExitCode run(const RunOptions& options) {
   const auto drawing_rate = drawing_rate_for(devices->display->refresh().period);
   const auto quality = face ? quality_of(*face, protocol, drawing_rate) : ChosenQuality{};
   if (face) tell(describe(quality));
+  auto record = session_record(*read, options.participant, key);
+  record.simulated_answers = simulated;
+  record.observer = simulated ? observer_name() : "";
+  record.display = record_of(*devices->display);
+  record.audio = record_of(*devices->audio);
+  WatchedSession watched{data, record, protocol, plan, devices->clock};
   PreparationQueue queue{plan, [&] {
                            return prepare_session({.read = *read,
                                                    .named = options.protocol.named,
@@ -203,15 +211,12 @@ ExitCode run(const RunOptions& options) {
                                                    .tell = tell});
                          }};
   const auto begin = [&](const RefreshEstimate& refresh) {
-    auto record = session_record(*read, options.participant, key);
-    record.simulated_answers = simulated;
-    record.observer = simulated ? observer_name() : "";
-    record.display = record_of(*devices->display);
-    record.audio = record_of(*devices->audio);
+    record.started_utc = utc_now();
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
     if (face) record.face = record_of(*face, quality);
+    watched.begin(record);
     const auto id = store->begin(record, plan_records(*read, plan));
     if (options.trials || options.no_practice) {
       store->add(id,
@@ -242,7 +247,8 @@ ExitCode run(const RunOptions& options) {
        .begin = begin,
        .answer = simulated ? simulated_answers(protocol, key, protocol.seed) : Answers{},
        .interrupted = interrupt_asked,
-       .announce = tell});
+       .announce = tell,
+       .overseer = &watched});
   if (outcome.session) {
     store->end(*outcome.session, outcome.complete ? "complete" : "stopped", utc_now());
   }

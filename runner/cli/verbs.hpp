@@ -14,6 +14,7 @@ using Verb = std::function<ExitCode()>;
 // Each adds one verb with its options and help to the program, and sets `chosen` if it is named.
 void add_check(CLI::App& app, Verb& chosen);
 void add_run(CLI::App& app, Verb& chosen);
+void add_monitor(CLI::App& app, Verb& chosen);
 void add_rehearse(CLI::App& app, Verb& chosen);
 void add_align(CLI::App& app, Verb& chosen);
 void add_phones(CLI::App& app, Verb& chosen);

@@ -25,6 +25,7 @@ set(rules
   "protocols/design"    "\"protocols/(reading|observers)/|<nlohmann"
   "runner"              "\"analysis/"
   "runner/session"      "\"(synth/(voice|render|face)|runner/(devices/(sdl|portaudio|wayland|x11|evdev)|store|preparation|booth|cli))/|<(SDL|portaudio|GL/|epoxy|sqlite3)|<(thread|mutex|iostream|fstream)>"
+  "runner/monitor"      "\"(synth|runner/(devices|preparation|booth|cli|store/sqlite))/|\"runner/store/sqlite|<(SDL|portaudio|GL/|epoxy|sqlite3)|<(thread|mutex|iostream|fstream)>"
   "runner/timing"       "\"runner/(devices|store|preparation|booth|cli)/|<(SDL|portaudio|GL/|thread|mutex|iostream|fstream)"
   "runner/realtime"     "<(SDL|portaudio|mutex|condition_variable|iostream|fstream|string|map)"
   "runner/store"        "\"(synth|protocols|runner/(devices|session|preparation|booth|cli))/|<(SDL|portaudio|GL/)"

@@ -214,6 +214,7 @@ class LineServer::Work {
     }
     clients_.emplace_back(std::move(socket), ++last_number_, options_);
     for (const auto& [kind, line] : newest_) clients_.back().tell(line);
+    if (!options_.welcome.empty()) clients_.back().tell(options_.welcome);
   }
 
   void distribute() {

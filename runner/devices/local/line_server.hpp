@@ -16,12 +16,13 @@ struct ReceivedLine {
   std::string text;          ///< UTF-8 without the line break, not empty
 };
 
-/// How much a client may cost us.
+/// How much a client may cost us, and what it is told first.
 struct LineServerOptions {
   std::size_t longest_line = 4096;         ///< bytes that a client may send at a time
   std::size_t most_clients = 16;           ///< at the same time
   std::size_t most_unread = 256UL << 10U;  ///< bytes for one client, beside the system's own
   std::size_t hand_over = 256UL << 10U;    ///< bytes published and not yet sent; a power of two
+  std::string welcome{};  ///< told to new clients after the newest lines; empty: nothing
 };
 
 /// Tells lines of text to whoever of this user's programs connects to a Unix stream socket, and

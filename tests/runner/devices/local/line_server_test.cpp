@@ -102,6 +102,16 @@ TEST_F(LineServerTest, TellsWhoeverComesLaterTheNewestLineOfEachKindFirst) {
   EXPECT_EQ(next(client), "3");
 }
 
+TEST_F(LineServerTest, TellsWhoeverComesWhenItHasBeenToldEverything) {
+  LineServer server{socket(), {.welcome = "that is all"}};
+  ASSERT_TRUE(server.publish("trial", "1"));
+  auto client = connect(server);
+  ASSERT_TRUE(server.publish("trial", "2"));
+  EXPECT_EQ(next(client), "1");
+  EXPECT_EQ(next(client), "that is all");
+  EXPECT_EQ(next(client), "2");
+}
+
 TEST_F(LineServerTest, GivesWhatClientsSendAndAnswersTheSenderOnly) {
   LineServer server{socket()};
   auto one = connect(server);
