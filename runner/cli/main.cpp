@@ -91,6 +91,7 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
   bimodal::runner::add_measures(app, verb);
   bimodal::runner::add_sheets(app, verb);
   bimodal::runner::add_devices(app, verb);
+  bimodal::runner::add_levels(app, verb);
   bimodal::runner::add_corpus(app, verb);
   if (const std::string first = count > 1 ? arguments[1] : ""; !knows(app, first)) {
     fmt::print(stderr, "bimodal: there is no verb '{}'{}\n", first, suggestion(app, first));

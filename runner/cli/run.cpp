@@ -12,6 +12,7 @@
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_face.hpp"
+#include "runner/cli/session_level.hpp"
 #include "runner/cli/session_preparation.hpp"
 #include "runner/cli/session_setup.hpp"
 #include "runner/cli/session_triggers.hpp"
@@ -183,6 +184,11 @@ ExitCode run(const RunOptions& options) {
   auto store = std::filesystem::exists(data) ? open_sqlite_store(data) : nullptr;
   if (!store) require_place_for(data);
   const auto devices = open_devices(protocol, options);
+  const auto level = options.audio == "none" ? unheard_level(protocol.sound)
+                                             : settle_level(read->protocol.sound,
+                                                            devices->audio->device_name(),
+                                                            read_levels(level_file()));
+  if (!level.text.empty()) tell(level.text);
   if (!store) store = open_sqlite_store(data);
   StoreWriter writer{*store};
   if (options.display == "headless") fmt::print("no display: nothing is shown\n");
@@ -208,24 +214,19 @@ ExitCode run(const RunOptions& options) {
     record.observer = simulated ? observer_name() : "";
     record.display = record_of(*devices->display);
     record.audio = record_of(*devices->audio);
+    record.sound_levels = level.record;
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
     if (face) record.face = record_of(*face, quality);
     const auto id = store->begin(record, plan_records(*read, plan));
+    const auto note = [&](const char* kind, std::string detail) {
+      store->add(id, EventRecord{devices->clock.now().time_since_epoch(), kind, std::move(detail)});
+    };
     if (options.trials || options.no_practice) {
-      store->add(id,
-                 EventRecord{
-                     .at = devices->clock.now().time_since_epoch(),
-                     .kind = "shortened",
-                     .detail = fmt::format("{} trials by --trials or --no-practice", plan.size())});
+      note("shortened", fmt::format("{} trials by --trials or --no-practice", plan.size()));
     }
-    if (!left_out.empty()) {
-      store->add(id,
-                 EventRecord{.at = devices->clock.now().time_since_epoch(),
-                             .kind = "no_triggers",
-                             .detail = left_out + " left out by --no-triggers"});
-    }
+    if (!left_out.empty()) note("no_triggers", left_out + " left out by --no-triggers");
     return id;
   };
   stop_at_interrupt();

@@ -13,6 +13,7 @@
 
 #include "runner/devices/device_error.hpp"
 #include "runner/devices/portaudio/output_channels.hpp"
+#include "runner/devices/portaudio/output_name.hpp"
 #include "runner/devices/portaudio/portaudio_session.hpp"
 #include "runner/devices/portaudio/portaudio_stream.hpp"
 #include "runner/realtime/latest_ring.hpp"
@@ -331,6 +332,10 @@ Hertz PortaudioOutput::rate() const {
 
 std::string PortaudioOutput::kind() const {
   return "portaudio";
+}
+
+std::string PortaudioOutput::device_name() const {
+  return lasting_name(stream_->device);
 }
 
 std::string PortaudioOutput::description() const {
