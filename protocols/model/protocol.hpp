@@ -100,6 +100,8 @@ struct Sound {
   Hertz rate{48'000};
   std::vector<int> channels;     ///< that the stimulus is heard on; none: both ears, 1 and 2
   Decibels speech_level{-30.0};  ///< RMS of the speech interval, dB re full scale; constant
+  /// What it is to be at the ear; then speech_level follows from the output's calibration.
+  std::optional<DecibelsSpl> speech_spl;
   Noise noise;
 };
 

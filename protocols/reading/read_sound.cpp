@@ -51,6 +51,16 @@ void read_noise(ObjectReader& parent, Noise& noise, Findings& findings) {
   reader->refuse_unknown_keys();
 }
 
+void read_spl(ObjectReader& reader, Sound& sound, Findings& findings) {
+  const auto level = reader.number(
+      "speech_level_dbspl", {0, 110, "the RMS level of the speech at the ear in dB SPL, e.g. 65"});
+  if (level) sound.speech_spl = DecibelsSpl{*level};
+  if (!reader.has("speech_level_dbfs")) return;
+  findings.error(reader.pointer_to("speech_level_dbspl"),
+                 "the level of the speech cannot be given in two ways",
+                 "write \"speech_level_dbfs\" or \"speech_level_dbspl\"");
+}
+
 void read_channels(ObjectReader& reader, Sound& sound, Findings& findings) {
   constexpr NumberRule kChannel{1, kMostChannels, "a channel of the output, from 1"};
   for (const auto& [value, pointer] : reader.items("channels", 1, kMostChannels)) {
@@ -81,6 +91,7 @@ void read_sound(ObjectReader& parent, Sound& sound, Findings& findings) {
   const auto level = reader->number(
       "speech_level_dbfs", {-80, 0, "the RMS level of the speech in dB re full scale, e.g. -30"});
   if (level) sound.speech_level = Decibels{*level};
+  if (reader->has("speech_level_dbspl")) read_spl(*reader, sound, findings);
   read_channels(*reader, sound, findings);
   read_noise(*reader, sound.noise, findings);
   reader->refuse_unknown_keys();

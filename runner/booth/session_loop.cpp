@@ -54,13 +54,15 @@ class SessionLoop {
         oversight_{parts.overseer, parts.interrupted, parts.booth.clock} {}
 
   SessionOutcome run() {
-    for (const auto& step : session_steps(parts_.protocol, parts_.plan)) {
+    const auto steps = session_steps(parts_.protocol, parts_.plan);
+    for (const auto& step : steps_left(steps, parts_.done, "We go on where we stopped.")) {
       const bool go_on = std::holds_alternative<PageStep>(step)
                              ? show_page(std::get<PageStep>(step))
                              : run_trial(std::get<TrialStep>(step));
       if (!go_on) break;
     }
-    outcome_.complete = outcome_.trials == static_cast<int>(parts_.plan.size());
+    outcome_.complete = parts_.done.size() + static_cast<std::size_t>(outcome_.trials) ==
+                        parts_.plan.size();
     teller_.ended(outcome_.complete ? "complete" : "stopped");
     return outcome_;
   }

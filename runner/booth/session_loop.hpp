@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,10 @@ struct SessionParts {
   /// Stores the session and its plan, once the display has been watched long enough to state its
   /// refresh; returns the store's number of the session. Called once, before the first trial.
   std::function<std::int64_t(const RefreshEstimate&)> begin;
+
+  /// The trials (indices into the plan) that an earlier part of this session has stored; `trials`
+  /// gives the others only.
+  std::set<std::size_t> done{};
 
   /// The answer of a simulated participant; empty function: a person answers.
   std::function<std::string(const protocols::PlannedTrial&)> answer;

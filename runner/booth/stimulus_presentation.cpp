@@ -67,6 +67,7 @@ class StimulusLoop {
 
   void run() {
     const auto jumps = clock_jumps();
+    const auto rate_changes = screen_rate_changes();
     if (trial_.sound) booth_.audio.schedule(*trial_.sound, device_onset());
     while (true) {
       follow_screen();
@@ -86,6 +87,9 @@ class StimulusLoop {
     report_offset();
     if (trial_.sound && clock_jumps() != jumps) {
       note("sound_jump", "the sound's clock jumped: samples came late by whole buffers");
+    }
+    if (screen_rate_changes() != rate_changes) {
+      note("refresh_changed", "the screen has another refresh rate than before");
     }
     report_clocks();
   }
@@ -168,6 +172,11 @@ class StimulusLoop {
     return clock ? clock->jumps : 0;
   }
 
+  [[nodiscard]] int screen_rate_changes() const {
+    const auto clock = booth_.display.clock();
+    return clock ? clock->jumps : 0;
+  }
+
   void note_refreshes(const char* kind, int count, std::string_view how) {
     if (count == 0) return;
     note(kind, fmt::format("{} {} {}", count, count == 1 ? "refresh was" : "refreshes were", how));
@@ -192,9 +201,9 @@ class StimulusLoop {
       }
     }
     if (playback.lost) {
-      throw DeviceError{
-          "the sound device was lost during a trial, which is not stored; check it and begin the "
-          "session again by --again"};
+      throw SoundLost{
+          "the sound device was lost during a trial, which is not stored; check it and go on by "
+          "`bimodal run ... --resume`"};
     }
     record_.onsets.push_back(onset);
     triggers_.click_heard(onset);

@@ -11,8 +11,8 @@ namespace bimodal::runner {
 
 /// Shows and plays a prepared trial as its cue sheet says, and writes down in `record` what was
 /// shown and heard, when, and by whose word. Keystrokes go to `machine`, what other equipment is to
-/// know to `triggers`. Returns when everything has been heard and seen. Throws DeviceError if the
-/// sound device is lost. In the loop nothing is allocated but what keystrokes need.
+/// know to `triggers`. Returns when everything has been heard and seen. Throws SoundLost if the
+/// sound device is. In the loop nothing is allocated but what keystrokes need.
 ///
 /// Until the sound must be handed over for good, picture and sound follow the screen's refreshes;
 /// from then on the frame of each refresh is the one that is due by the session clock, so that the

@@ -8,6 +8,7 @@
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/session_face.hpp"
+#include "runner/cli/session_level.hpp"
 #include "runner/cli/session_triggers.hpp"
 #include "runner/cli/sound_check.hpp"
 #include "runner/cli/verbs.hpp"
@@ -150,6 +151,9 @@ void print_summary(const ReadProtocol& read, std::size_t trials) {
     print_details(condition);
   }
   print_unusual_words(read);
+  if (const auto kinds = trigger_kinds(protocol.triggers); !kinds.empty()) {
+    fmt::print("  triggers     {}\n", kinds);
+  }
   fmt::print("  assignment   {}\n",
              protocol.assignment == Assignment::Once
                  ? "once: each word in one condition per participant"
@@ -199,11 +203,14 @@ void print_face(const ReadProtocol& read, const std::vector<protocols::PlannedTr
   }
 }
 
-std::vector<Diagnostic> check_stimuli(const ReadProtocol& read, const std::string& file) {
+std::vector<Diagnostic> check_stimuli(ReadProtocol& read,
+                                      const std::string& file,
+                                      SessionLevel& level) {
   auto found = check_media(read, file);
   if (has_errors(found)) return found;
   const auto equipment = check_trigger_equipment(read, file);
   found.insert(found.end(), equipment.begin(), equipment.end());
+  level = checked_level(read, file, found);
   Repertoire repertoire{read.protocol.sound.rate, read.corpora};
   TrialPreparer preparer{read.protocol, repertoire, nullptr, Hertz{60}};
   const auto sounds = check_sounds(read, every_stimulus(read), preparer, file);
@@ -212,9 +219,10 @@ std::vector<Diagnostic> check_stimuli(const ReadProtocol& read, const std::strin
 }
 
 ExitCode check(const ProtocolChoice& choice) {
-  const auto read = load_protocol(choice);
+  auto read = load_protocol(choice);
   if (!read) return ExitCode::InvalidInput;
-  const auto found = check_stimuli(*read, find_protocol(choice.named).string());
+  SessionLevel level;
+  const auto found = check_stimuli(*read, find_protocol(choice.named).string(), level);
   print(found);
   if (has_errors(found)) {
     fmt::print(stderr, "bimodal: the protocol cannot be used: its stimuli cannot be presented\n");
@@ -223,6 +231,7 @@ ExitCode check(const ProtocolChoice& choice) {
   const auto plan = protocols::make_plan(read->protocol, read->words, read->practice, {});
   print_summary(*read, plan.size());
   print_face(*read, plan);
+  if (!level.text.empty()) fmt::print("  level        {}\n", level.text);
   const auto warnings = read->diagnostics.size() + found.size();
   if (warnings == 0) {
     fmt::print("no mistakes found\n");

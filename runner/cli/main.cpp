@@ -93,6 +93,7 @@ ExitCode perform_what_is_asked(int count, char** arguments) {
   bimodal::runner::add_measures(app, verb);
   bimodal::runner::add_sheets(app, verb);
   bimodal::runner::add_devices(app, verb);
+  bimodal::runner::add_levels(app, verb);
   bimodal::runner::add_corpus(app, verb);
   bimodal::runner::add_timing(app, verb);
   if (const std::string first = count > 1 ? arguments[1] : ""; !knows(app, first)) {

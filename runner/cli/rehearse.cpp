@@ -9,6 +9,7 @@
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
+#include "runner/cli/session_level.hpp"
 #include "runner/cli/session_setup.hpp"
 #include "runner/cli/simulated_answers.hpp"
 #include "runner/cli/verbs.hpp"
@@ -116,6 +117,9 @@ ExitCode rehearse(const RehearseOptions& options) {
                         *read,
                         true);
     }
+  }
+  if (const auto level = unheard_level(read->protocol.sound); !level.text.empty()) {
+    fmt::print("{}\n", level.text);
   }
   const auto store = open_sqlite_store(data);
   StoreWriter writer{*store};

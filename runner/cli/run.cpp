@@ -5,29 +5,24 @@
 
 #include <fmt/format.h>
 
-#include "runner/booth/patch.hpp"
-#include "runner/booth/participant_screens.hpp"
 #include "runner/booth/session_loop.hpp"
 #include "runner/cli/interrupt.hpp"
 #include "runner/cli/media_check.hpp"
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
+#include "runner/cli/resumption.hpp"
+#include "runner/cli/session_devices.hpp"
 #include "runner/cli/session_face.hpp"
+#include "runner/cli/session_level.hpp"
 #include "runner/cli/session_preparation.hpp"
 #include "runner/cli/session_setup.hpp"
 #include "runner/cli/session_triggers.hpp"
 #include "runner/cli/simulated_answers.hpp"
+#include "runner/cli/sound_return.hpp"
 #include "runner/cli/verbs.hpp"
 #include "runner/cli/watched_session.hpp"
-#include "runner/devices/headless/headless_display.hpp"
-#include "runner/devices/monotonic_clock.hpp"
-#include "runner/devices/portaudio/portaudio_output.hpp"
-#include "runner/devices/sdl/sdl_display.hpp"
-#include "runner/devices/sdl/sdl_keyboard.hpp"
-#include "runner/devices/silent/silent_audio.hpp"
-#include "runner/devices/simulated/simulated_keyboard.hpp"
+#include "runner/devices/device_error.hpp"
 #include "runner/preparation/preparation_queue.hpp"
-#include "runner/preparation/sound_channels.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {
@@ -49,82 +44,10 @@ struct RunOptions {
   bool again = false;
   bool no_cache = false;
   bool no_triggers = false;
+  bool strict = false;
+  bool resume = false;
+  std::string calibration;
 };
-
-/// The devices of a real session, in the order in which they must be closed.
-struct Devices {
-  MonotonicClock clock;
-  std::unique_ptr<SdlWindow> window;
-  std::unique_ptr<Display> screen;
-  std::unique_ptr<Display> display;  ///< the screen, with a patch if one is asked for
-  std::unique_ptr<Keyboard> keyboard;
-  std::unique_ptr<AudioOutput> audio;
-  std::vector<std::unique_ptr<TriggerSender>> trigger_lines;
-};
-
-SdlWindow::Options window_options(const protocols::Protocol& protocol, bool windowed) {
-  const auto channel = [&](unsigned shift) {
-    return static_cast<float>((protocol.window.background >> shift) & 0xffU) / 255.0F;
-  };
-  return {.width = protocol.window.width,
-          .height = protocol.window.height,
-          .fullscreen = protocol.window.fullscreen && !windowed,
-          .title = protocol.title,
-          .background = {channel(16), channel(8), channel(0)}};
-}
-
-/// What is on the screen while the display is measured: the first page, so that nobody waits for
-/// it.
-Screen opening_screen(const protocols::Protocol& protocol, const std::optional<Patch>& patch) {
-  auto screen =
-      protocol.instructions.empty() ? Screen{} : page_screen(protocol.instructions.front());
-  if (patch) screen.marks.push_back(patch->at_rest);
-  return screen;
-}
-
-std::optional<Patch> patch_for(const protocols::Protocol& protocol, const SdlWindow* window) {
-  const auto& photodiode = protocol.triggers.photodiode;
-  if (!photodiode) return std::nullopt;
-  const auto size = window != nullptr
-                        ? window->size()
-                        : SdlWindow::Size{protocol.window.width, protocol.window.height};
-  return patch_of(*photodiode, size.width, size.height);
-}
-
-std::unique_ptr<Devices> open_devices(const protocols::Protocol& protocol,
-                                      const RunOptions& options) {
-  auto opened = std::make_unique<Devices>();
-  auto& devices = *opened;
-  devices.trigger_lines = open_trigger_lines(protocol.triggers);
-  if (options.display != "headless") {
-    devices.window = std::make_unique<SdlWindow>(window_options(protocol, options.windowed));
-  }
-  const auto patch = patch_for(protocol, devices.window.get());
-  if (!devices.window) {
-    devices.screen = std::make_unique<HeadlessDisplay>();
-  } else {
-    devices.screen = std::make_unique<SdlDisplay>(*devices.window, opening_screen(protocol, patch));
-  }
-  if (patch) {
-    devices.display = std::make_unique<PatchedDisplay>(*devices.screen, *patch);
-  } else {
-    devices.display = std::move(devices.screen);
-  }
-  if (options.answers == "simulated" || !devices.window) {
-    devices.keyboard = std::make_unique<SimulatedKeyboard>(devices.clock);
-  } else {
-    devices.keyboard = std::make_unique<SdlKeyboard>(*devices.window, devices.clock);
-  }
-  if (options.audio == "none") {
-    devices.audio = std::make_unique<SilentAudio>(devices.clock, protocol.sound.rate);
-  } else {
-    devices.audio = std::make_unique<PortaudioOutput>(
-        PortaudioOptions{.device = options.audio == "default" ? "" : options.audio,
-                         .rate = protocol.sound.rate,
-                         .channels = channels_needed(protocol)});
-  }
-  return opened;
-}
 
 void tell(std::string_view what) {
   fmt::print("{}\n", what);
@@ -145,7 +68,7 @@ void report_outcome(const SessionOutcome& outcome,
     fmt::print("; timing flagged in {}, see table event\n", outcome.flagged);
   }
   if (!outcome.complete) {
-    fmt::print("what was answered is kept; --again begins this session anew, beside it\n");
+    fmt::print("what was answered is kept; --resume goes on, --again begins this session anew, beside it\n");
   }
 }
 
@@ -155,6 +78,20 @@ void refuse_what_nobody_could_answer(const RunOptions& options) {
         "nobody can type answers without a window; give --answers simulated with --display "
         "headless"};
   }
+}
+
+EventRecord paused_event(Instant at, std::string why) {
+  return {.at = at.time_since_epoch(), .kind = "paused", .detail = std::move(why)};
+}
+
+/// By what a session goes on: it may have been another machine before.
+std::string resumed_text(const SessionRecord& record) {
+  return fmt::format("by a new process of version {}, {}; screen: {} ({}); sound: {}",
+                     record.program_version,
+                     record.started_utc,
+                     record.display.description,
+                     record.timing ? record.timing->verdict : "not judged",
+                     record.audio.description);
 }
 
 ExitCode run(const RunOptions& options) {
@@ -177,14 +114,28 @@ ExitCode run(const RunOptions& options) {
   const auto data = options.data.empty() ? default_data_file(options.protocol.named)
                                          : std::filesystem::path{options.data};
   const bool simulated = options.answers == "simulated";
-  if (!options.again) {
+  std::optional<Resumption> resumption;
+  if (options.resume) {
+    resumption = find_resumption(data, options.participant, key, *read, plan);
+  } else if (!options.again) {
     refuse_repetition(data, options.participant, key, *read, simulated);
   }
   const auto face = examine_face(*read, plan, options.display != "headless" && !simulated);
   // A new file is made only when the devices are there; an old one is opened before anything shows.
   auto store = std::filesystem::exists(data) ? open_sqlite_store(data) : nullptr;
   if (!store) require_place_for(data);
-  const auto devices = open_devices(protocol, options);
+  const auto devices = open_session_devices(protocol,
+                                            {.display = options.display,
+                                             .audio = options.audio,
+                                             .simulated_answers = simulated,
+                                             .windowed = options.windowed,
+                                             .calibration = options.calibration});
+  if (!may_go_on(*devices, options.strict, !simulated)) return ExitCode::Findings;
+  const auto level = options.audio == "none" ? unheard_level(protocol.sound)
+                                             : settle_level(read->protocol.sound,
+                                                            devices->audio->device_name(),
+                                                            read_levels(level_file()));
+  if (!level.text.empty()) tell(level.text);
   if (!store) store = open_sqlite_store(data);
   StoreWriter writer{*store};
   if (options.display == "headless") fmt::print("no display: nothing is shown\n");
@@ -199,8 +150,11 @@ ExitCode run(const RunOptions& options) {
   record.observer = simulated ? observer_name() : "";
   record.display = record_of(*devices->display);
   record.audio = record_of(*devices->audio);
+  record.timing = devices->timing;
+  record.keyboard_description = devices->keyboard->description();
   WatchedSession watched{data, record, protocol, plan, devices->clock};
-  PreparationQueue queue{plan, [&] {
+  const auto done = resumption ? resumption->done : std::set<std::size_t>{};
+  PreparationQueue queue{rest_of(plan, done), [&] {
                            return prepare_session({.read = *read,
                                                    .named = options.protocol.named,
                                                    .plan = plan,
@@ -212,47 +166,58 @@ ExitCode run(const RunOptions& options) {
                          }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     record.started_utc = utc_now();
+    record.sound_levels = level.record;
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
     if (face) record.face = record_of(*face, quality);
     watched.begin(record);
+    const auto note = [&](std::int64_t id, const char* kind, std::string detail) {
+      store->add(id, EventRecord{devices->clock.now().time_since_epoch(), kind, std::move(detail)});
+    };
+    if (resumption) {
+      store->reopen(resumption->session);
+      note(resumption->session, "resumed", resumed_text(record));
+      return resumption->session;
+    }
     const auto id = store->begin(record, plan_records(*read, plan));
     if (options.trials || options.no_practice) {
-      store->add(id,
-                 EventRecord{
-                     .at = devices->clock.now().time_since_epoch(),
-                     .kind = "shortened",
-                     .detail = fmt::format("{} trials by --trials or --no-practice", plan.size())});
+      note(id, "shortened", fmt::format("{} trials by --trials or --no-practice", plan.size()));
     }
-    if (!left_out.empty()) {
-      store->add(id,
-                 EventRecord{.at = devices->clock.now().time_since_epoch(),
-                             .kind = "no_triggers",
-                             .detail = left_out + " left out by --no-triggers"});
-    }
+    if (!left_out.empty()) note(id, "no_triggers", left_out + " left out by --no-triggers");
     return id;
   };
   stop_at_interrupt();
-  const auto outcome = run_session(
-      {.protocol = protocol,
-       .plan = plan,
-       .booth = {.clock = devices->clock,
-                 .display = *devices->display,
-                 .keyboard = *devices->keyboard,
-                 .audio = *devices->audio,
-                 .trigger_lines = borrowed(devices->trigger_lines)},
-       .trials = queue,
-       .store = writer,
-       .begin = begin,
-       .answer = simulated ? simulated_answers(protocol, key, protocol.seed) : Answers{},
-       .interrupted = interrupt_asked,
-       .announce = tell,
-       .overseer = &watched});
-  if (outcome.session) {
-    store->end(*outcome.session, outcome.complete ? "complete" : "stopped", utc_now());
+  std::optional<std::int64_t> session;
+  const auto booth = booth_of(*devices);
+  const SessionParts parts{
+      .protocol = protocol,
+      .plan = plan,
+      .booth = booth,
+      .trials = queue,
+      .store = writer,
+      .begin = [&](const RefreshEstimate& refresh) { return *(session = begin(refresh)); },
+      .done = done,
+      .answer = simulated ? simulated_answers(protocol, key, protocol.seed) : Answers{},
+      .interrupted = interrupt_asked,
+      .announce = tell,
+      .overseer = &watched};
+  try {
+    const auto outcome = run_session(parts);
+    if (session) store->end(*session, outcome.complete ? "complete" : "stopped", utc_now());
+    report_outcome(outcome, plan, data.string());
+  } catch (const SoundLost& loss) {
+    if (!session) throw;
+    tell(fmt::format("paused: {}\nwaiting for the sound to come back; Escape or Ctrl-C stops",
+                     loss.what()));
+    writer.add(*session, paused_event(devices->clock.now(), "the sound device was lost")).get();
+    if (await_sound(booth, interrupt_asked)) {
+      tell("the sound is back: the session goes on where it was");
+      throw DeviceError{"cannot begin anew: " + begin_anew_and_resume()};
+    }
+    store->end(*session, "stopped", utc_now());
+    tell("stopped; what was answered is kept, and --resume goes on");
   }
-  report_outcome(outcome, plan, data.string());
   return ExitCode::Done;
 }
 
@@ -265,6 +230,7 @@ void add_run(CLI::App& app, Verb& chosen) {
       "before the next begins. Escape asks whether to stop.\n\n"
       "Examples:\n"
       "  bimodal run words414 --participant P01\n"
+      "  bimodal run words414 --participant P01 --resume   # after a stop, a crash, a power cut\n"
       "  bimodal run words414 --participant TEST1 --trials 5 --no-practice --windowed\n"
       "  bimodal run words414 --participant P01 --display headless --audio none --answers "
       "simulated");
@@ -295,6 +261,13 @@ void add_run(CLI::App& app, Verb& chosen) {
   verb->add_flag("--no-triggers",
                  options->no_triggers,
                  "without the protocol's triggers, for trying out without the equipment");
+  verb->add_flag("--resume",
+                 options->resume,
+                 "goes on with the session that was stopped or cut off; nothing is presented twice");
+  verb->add_flag("--strict", options->strict, "refuses a screen that is not for timing");
+  verb->add_option("--calibration",
+                   options->calibration,
+                   "times sound and picture by what instruments found (see `bimodal timing`)");
   verb->add_flag("--again", options->again, "although this participant has this session already");
   verb->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

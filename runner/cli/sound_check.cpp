@@ -36,12 +36,20 @@ void note(Clipping& clipping, const std::string& word, const Mix& mix) {
   }
 }
 
-std::string remedy_for(const Clipping& clipping, Decibels level) {
+std::string remedy_for(const Clipping& clipping, const protocols::Sound& sound) {
   const double lower =
       std::ceil(std::max(clipping.lacking_db, clipping.possibly_lacking_db) * 10.0) / 10.0;
+  if (sound.speech_spl) {
+    return fmt::format(
+        "lower /sound/speech_level_dbspl from {0:g} to {1:g} or less, or raise snr_db, or turn the "
+        "amplifier up by {2:g} dB and measure again",
+        sound.speech_spl->count(),
+        sound.speech_spl->count() - lower,
+        lower);
+  }
   return fmt::format("lower /sound/speech_level_dbfs from {:g} to {:g} or less, or raise snr_db",
-                     level.count(),
-                     level.count() - lower);
+                     sound.speech_level.count(),
+                     sound.speech_level.count() - lower);
 }
 
 std::string finding_of(const Clipping& clipping, const std::string& condition) {
@@ -112,7 +120,7 @@ std::vector<Diagnostic> check_sounds(const protocols::ReadProtocol& read,
     find(clipping.trials > 0 ? Severity::Error : Severity::Warning,
          condition,
          finding_of(clipping, protocol.conditions.at(condition).name));
-    diagnostics.back().remedy = remedy_for(clipping, protocol.sound.speech_level);
+    diagnostics.back().remedy = remedy_for(clipping, protocol.sound);
   }
   return diagnostics;
 }

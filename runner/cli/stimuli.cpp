@@ -23,11 +23,23 @@ struct MixOptions {
   std::optional<int> number;
   int session = 1;
   std::string output;
+  std::optional<double> dbfs;
 };
 
+/// Where the protocol asks for dB SPL, the level depends on the device.
+void settle_level(protocols::Sound& sound, std::optional<double> dbfs) {
+  if (dbfs) sound.speech_level = Decibels{*dbfs};
+  if (!sound.speech_spl || dbfs) return;
+  throw Error{
+      fmt::format("the protocol asks for speech of {:g} dB SPL, whose level re full scale depends "
+                  "on the sound output; give it by --dbfs, e.g. speech_dbfs of table sound",
+                  sound.speech_spl->count())};
+}
+
 ExitCode mix_trial(const MixOptions& options) {
-  const auto read = load_protocol(options.protocol);
+  auto read = load_protocol(options.protocol);
   if (!read) return ExitCode::InvalidInput;
+  settle_level(read->protocol.sound, options.dbfs);
   const auto media = check_media(*read, find_protocol(options.protocol.named).string());
   print(media);
   if (has_errors(media)) return ExitCode::InvalidInput;
@@ -95,6 +107,9 @@ void add_stimuli(CLI::App& app, Verb& chosen) {
   mix->add_option("-o,--output", options->output, "the WAV file to be written")
       ->required()
       ->check(in_a_folder_that_exists());
+  mix->add_option("--dbfs", options->dbfs, "level of the speech, where the protocol gives dB SPL")
+      ->check(finite_number())
+      ->check(CLI::Range(-80.0, 0.0));
   mix->add_option("--participant", options->participant, "whose trial (P01)");
   mix->add_option("--number", options->number, "the participant's number, if the name has none")
       ->check(whole_number_from(1));

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "runner/cli/gate_record.hpp"
+
 namespace bimodal::runner {
 
 namespace {
@@ -32,16 +34,6 @@ Json as_json(const Moments& moments) {
           {"median_ms", moments.median_ms},
           {"smallest_ms", moments.smallest_ms},
           {"largest_ms", moments.largest_ms}};
-}
-
-Json as_json(const Gate& gate) {
-  return {{"verdict", name(gate.verdict)},
-          {"reasons", gate.reasons},
-          {"flips", gate.flips},
-          {"period_ns", gate.period.count()},
-          {"sd_ns", gate.deviation.count()},
-          {"longest_ns", gate.longest.count()},
-          {"outliers", gate.outliers}};
 }
 
 Json as_json(const TimedTrial& trial) {

@@ -31,6 +31,7 @@ void add_face(CLI::App& app, Verb& chosen);
 void add_measures(CLI::App& app, Verb& chosen);
 void add_sheets(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
+void add_levels(CLI::App& app, Verb& chosen);
 void add_corpus(CLI::App& app, Verb& chosen);
 void add_timing(CLI::App& app, Verb& chosen);
 

@@ -78,7 +78,11 @@ class AudioOutput {
   [[nodiscard]] virtual Duration lead_time() const = 0;
 
   [[nodiscard]] virtual Hertz rate() const = 0;
-  [[nodiscard]] virtual std::string kind() const = 0;         ///< "portaudio", "none", "simulated"
+  [[nodiscard]] virtual std::string kind() const = 0;  ///< "portaudio", "none", "simulated"
+
+  /// By which the device is known again, whatever else is connected.
+  [[nodiscard]] virtual std::string device_name() const { return kind(); }
+
   [[nodiscard]] virtual std::string description() const = 0;  ///< host API, device, latency
   [[nodiscard]] virtual std::string_view time_source() const = 0;
 };

@@ -10,4 +10,10 @@ class DeviceError : public Error {
   using Error::Error;
 };
 
+/// The sound output has gone in the middle of a session. It may come back.
+class SoundLost : public DeviceError {
+ public:
+  using DeviceError::DeviceError;
+};
+
 }  // namespace bimodal::runner

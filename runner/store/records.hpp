@@ -62,6 +62,8 @@ struct SessionRecord {
   std::optional<FaceDrawingRecord> face;
   std::optional<TimingRecord> timing;  ///< absent: rehearsals, and files of versions below 6
   std::string keyboard_description;    ///< what answers came from, and how their instants are found
+  /// What is known of sound pressure on the output, as JSON; empty: nothing, or an older file.
+  std::string sound_levels;
 };
 
 /// One trial as planned; all of a session's plan is stored before its first trial.

@@ -206,6 +206,7 @@ ALTER TABLE session ADD COLUMN keyboard_description TEXT NOT NULL DEFAULT '';
 ALTER TABLE session ADD COLUMN visual_line TEXT
   CHECK (visual_line IN ('first', 'mouth', 'calibrated'));
 ALTER TABLE session ADD COLUMN visual_line_ns INTEGER;
+ALTER TABLE session ADD COLUMN sound_levels TEXT;
 ALTER TABLE plan ADD COLUMN repeats INTEGER;
 ALTER TABLE trial ADD COLUMN excluded INTEGER NOT NULL DEFAULT 0 CHECK (excluded IN (0, 1));
 ALTER TABLE trial ADD COLUMN rt_reference TEXT;

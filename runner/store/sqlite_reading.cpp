@@ -85,6 +85,7 @@ StoredSession session_from(const Statement& row) {
                                   .visual_line_after = row.duration(34)};
   }
   session.keyboard_description = row.text(35);
+  session.sound_levels = row.text(36);
   return stored;
 }
 
@@ -284,8 +285,8 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
                                   "face_renderer"
                                 : "NULL, NULL, NULL, NULL"} +
           (has_timing ? ", timing_verdict, timing_gate, timing_calibration, visual_line, "
-                        "visual_line_ns, keyboard_description"
-                      : ", NULL, NULL, NULL, NULL, NULL, ''") +
+                        "visual_line_ns, keyboard_description, sound_levels"
+                      : ", NULL, NULL, NULL, NULL, NULL, '', NULL") +
           " FROM session JOIN protocol ON sha256 = protocol_sha256 ORDER BY session"};
   while (session_row.step()) {
     position[session_row.integer(0)] = sessions.size();

@@ -148,6 +148,7 @@ class SqliteStore final : public SessionStore {
         .bind(session.keyboard_description)
         .bind(timing ? std::optional{timing->visual_line} : std::nullopt)
         .bind(timing ? std::optional{timing->visual_line_after} : std::nullopt)
+        .bind(session.sound_levels.empty() ? std::nullopt : std::optional{session.sound_levels})
         .run();
   }
 
@@ -279,7 +280,7 @@ class SqliteStore final : public SessionStore {
   Statement insert_session_{database_,
                             "INSERT INTO session VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, NULL, "
                             "NULL, ?, ?, ?, ?, ?, ?, "
-                            "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
+                            "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_plan_{database_,
                          "INSERT INTO plan VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"};
   Statement insert_trial_{

@@ -30,6 +30,7 @@ set(rules
   "runner/realtime"     "<(SDL|portaudio|mutex|condition_variable|iostream|fstream|string|map)"
   "runner/store"        "\"(synth|protocols|runner/(devices|session|preparation|booth|cli))/|<(SDL|portaudio|GL/)"
   "runner/devices"      "\"(synth|protocols|runner/(store|preparation|booth|cli))/|<sqlite3"
+  "runner/calibration"  "\"(synth|protocols|runner/[^c]|runner/cli)/|<(SDL|portaudio|GL/|sqlite3)"
   "runner/preparation"  "\"runner/(devices/(sdl|portaudio|wayland|x11|evdev|serial)|store/sqlite|booth|cli)/|<(SDL|portaudio|libserialport|GL/|epoxy|sqlite3)"
   "runner/booth"        "\"(runner/(devices/(sdl|portaudio|wayland|x11|evdev|serial)|store/sqlite|cli)|synth)/|<(SDL|portaudio|libserialport|GL/|epoxy|sqlite3)"
   "analysis"            "\"(runner/(devices|session|preparation|booth|cli|realtime|timing)|synth)/|<(SDL|portaudio|sndfile|GL/|sqlite3)"

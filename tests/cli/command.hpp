@@ -33,10 +33,12 @@ class StartedCommand {
                  const std::vector<std::string>& environment = {}) {
     std::vector<std::string> words{"env", "-C", folder.string()};
     words.insert(words.end(), environment.begin(), environment.end());
-    constexpr std::string_view kCache = "BIMODAL_CACHE=";
-    const auto sets_cache = [&](const std::string& word) { return word.starts_with(kCache); };
-    // Nothing is kept in the user's own cache.
-    if (std::ranges::none_of(environment, sets_cache)) words.emplace_back(kCache);
+    // Nothing is kept in the user's own cache, and nothing known from the user's measurements.
+    for (const std::string_view ours : {"BIMODAL_CACHE=", "BIMODAL_LEVELS=levels.json"}) {
+      const auto name = ours.substr(0, ours.find('=') + 1);
+      const auto sets = [&](const std::string& word) { return word.starts_with(name); };
+      if (std::ranges::none_of(environment, sets)) words.emplace_back(ours);
+    }
     words.push_back(std::string{BIMODAL_BIN "/"} + program);
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;

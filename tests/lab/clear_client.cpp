@@ -1,5 +1,5 @@
-/// The least that a program can do on a screen: clears a window to another grey at every refresh. The
-/// refreshes that it misses are those that this machine misses by itself.
+/// The least that a program can do on a screen: clears a window to another grey at every refresh.
+/// The refreshes that it misses are those that this machine misses by itself.
 ///
 ///   clear_client REFRESHES
 #include <cstdio>

@@ -8,7 +8,6 @@ import json
 import os
 import pathlib
 import shutil
-import signal
 import subprocess
 import tempfile
 import time
@@ -122,7 +121,8 @@ class Laboratory:
     def start_sound(self):
         server = self.environment["JACK_DEFAULT_SERVER"]
         urgency = ["-R", "-P", "60"] if may_be_urgent() else ["-r"]
-        command = ["jackd", "-n", server, *urgency, "-d", "dummy", "-r", "48000", "-p", "128"]
+        command = ["jackd", "-n", server, *urgency, "-d", "dummy"]
+        command += ["-r", "48000", "-p", "128", "-P", "4", "-C", "4"]
         self.sound_server = self.start(command, "jackd.log", env=self.environment)
         wait_for(
             lambda: subprocess.run(
@@ -146,17 +146,17 @@ class Laboratory:
                 **options,
             ).returncode
 
-    def observe(self, name, region, columns=2):
-        return Observation(self, name, region, columns)
+    def observe(self, name, region, columns=2, channels=2):
+        return Observation(self, name, region, columns, channels)
 
 
 class Observation:
     """The observer watches while this is entered; afterwards `seen` has what it saw."""
 
-    def __init__(self, laboratory, name, region, columns):
+    def __init__(self, laboratory, name, region, columns, channels):
         self.file = laboratory.folder / f"{name}.observed.jsonl"
         self.command = [laboratory.observer, str(self.file)]
-        self.command += [str(number) for number in (*region, columns)]
+        self.command += [str(number) for number in (*region, columns, channels)]
         self.environment = laboratory.environment
         self.seen = []
 
@@ -179,9 +179,6 @@ class Observation:
             raise RuntimeError("the observer failed")
         with open(self.file, encoding="utf-8") as lines:
             self.seen = [json.loads(line) for line in lines]
-
-    def interrupt(self):
-        self.process.send_signal(signal.SIGTERM)
 
 
 class Load:

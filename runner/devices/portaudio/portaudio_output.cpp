@@ -13,6 +13,7 @@
 
 #include "runner/devices/device_error.hpp"
 #include "runner/devices/portaudio/output_channels.hpp"
+#include "runner/devices/portaudio/output_name.hpp"
 #include "runner/devices/portaudio/portaudio_session.hpp"
 #include "runner/devices/portaudio/portaudio_stream.hpp"
 #include "runner/realtime/latest_ring.hpp"
@@ -286,9 +287,9 @@ void PortaudioOutput::schedule(const Sound& sound, Instant onset) {
   auto& stream = *stream_;
   stream.collect();
   if (stream.playback.lost) {
-    throw DeviceError{fmt::format(
-        "the sound output '{}' has stopped asking for samples; check it and begin the session "
-        "again by --again",
+    throw SoundLost{fmt::format(
+        "the sound output '{}' has stopped asking for samples; check it and go on by `bimodal run "
+        "... --resume`",
         describe(stream.device))};
   }
   const auto number = stream.present + 1;
@@ -343,6 +344,10 @@ Hertz PortaudioOutput::rate() const {
 
 std::string PortaudioOutput::kind() const {
   return "portaudio";
+}
+
+std::string PortaudioOutput::device_name() const {
+  return lasting_name(stream_->device);
 }
 
 std::string PortaudioOutput::description() const {

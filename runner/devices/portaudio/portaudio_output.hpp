@@ -45,6 +45,7 @@ class PortaudioOutput final : public AudioOutput {
   [[nodiscard]] Duration lead_time() const override;
   [[nodiscard]] Hertz rate() const override;
   [[nodiscard]] std::string kind() const override;
+  [[nodiscard]] std::string device_name() const override;
   [[nodiscard]] std::string description() const override;
   [[nodiscard]] std::string_view time_source() const override;
 

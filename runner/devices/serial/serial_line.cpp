@@ -106,12 +106,12 @@ class SerialLine::Port {
       sp_free_port(port_);
       refuse(port, "open", reason);
     }
-    for (const auto done : {sp_set_baudrate(port_, baud),
-                            sp_set_bits(port_, 8),
-                            sp_set_parity(port_, SP_PARITY_NONE),
-                            sp_set_stopbits(port_, 1),
-                            sp_set_flowcontrol(port_, SP_FLOWCONTROL_NONE)}) {
-      if (done == SP_OK) continue;
+    auto done = sp_set_baudrate(port_, baud);
+    if (done == SP_OK) done = sp_set_bits(port_, 8);
+    if (done == SP_OK) done = sp_set_parity(port_, SP_PARITY_NONE);
+    if (done == SP_OK) done = sp_set_stopbits(port_, 1);
+    if (done == SP_OK) done = sp_set_flowcontrol(port_, SP_FLOWCONTROL_NONE);
+    if (done != SP_OK) {
       const auto reason = reason_of(done);
       close();
       refuse(port, fmt::format("set {} bits per second, 8N1, on", baud), reason);

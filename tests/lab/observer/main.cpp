@@ -3,20 +3,20 @@
 /// "first"}, {"kind": "xrun", "at_ns"}; instants are CLOCK_MONOTONIC. Runs until its standard input
 /// ends. It shares no code with the presenter.
 ///
-///   observer FILE X Y WIDTH HEIGHT COLUMNS [RECORDING]
+///   observer FILE X Y WIDTH HEIGHT COLUMNS CHANNELS
 ///
 /// The region is watched in so many columns; the first column's brightness is played as that of a
-/// photodiode. RECORDING: file for the first channel as 32-bit floats.
+/// photodiode. So many channels of the sound are listened to.
 #include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include <sys/mman.h>
+#include <sys/select.h>
 #include <unistd.h>
 
 #include "screen_watch.hpp"
@@ -30,14 +30,20 @@ void write(const std::string& file,
   auto* const out = std::fopen(file.c_str(), "w");
   if (out == nullptr) throw std::runtime_error{"cannot write " + file};
   for (const auto& refresh : refreshes) {
-    std::fprintf(out, "{\"kind\": \"refresh\", \"at_ns\": %ld, \"levels\": [%u, %u, %u, %u]}\n",
-                 refresh.at_ns, refresh.levels & 255U, (refresh.levels >> 8U) & 255U,
-                 (refresh.levels >> 16U) & 255U, refresh.levels >> 24U);
+    std::fprintf(out,
+                 "{\"kind\": \"refresh\", \"at_ns\": %ld, \"levels\": [%u, %u, %u, %u]}\n",
+                 refresh.at_ns,
+                 refresh.levels & 255U,
+                 (refresh.levels >> 8U) & 255U,
+                 (refresh.levels >> 16U) & 255U,
+                 refresh.levels >> 24U);
   }
   for (const auto& heard : sound.sounds()) {
     std::fprintf(out,
                  "{\"kind\": \"sound\", \"channel\": %d, \"at_ns\": %ld, \"first\": %.9g}\n",
-                 heard.channel, heard.at_ns, static_cast<double>(heard.first));
+                 heard.channel,
+                 heard.at_ns,
+                 static_cast<double>(heard.first));
   }
   for (const auto& trouble : sound.troubles()) {
     std::fprintf(out, "{\"kind\": \"xrun\", \"at_ns\": %ld}\n", trouble.at_ns);
@@ -49,7 +55,7 @@ int observe(const std::vector<std::string>& arguments) {
   const auto number = [&](std::size_t index) { return std::stoi(arguments.at(index)); };
   const lab::Region region{number(1), number(2), number(3), number(4)};
   lab::ScreenWatch screen{region, number(5)};
-  lab::SoundWatch sound{{}};
+  lab::SoundWatch sound{{.channels = number(6)}};
   std::vector<lab::SeenRefresh> refreshes;
   refreshes.reserve(1U << 20U);
   std::atomic<bool> stopped{false};
@@ -78,7 +84,6 @@ int observe(const std::vector<std::string>& arguments) {
              });
   until_input_ends.join();
   write(arguments.at(0), refreshes, sound);
-  if (arguments.size() > 6) sound.write_recording(arguments.at(6), 0);
   return 0;
 }
 
@@ -86,8 +91,8 @@ int observe(const std::vector<std::string>& arguments) {
 
 int main(int count, char** arguments) {
   const std::vector<std::string> given(arguments + 1, arguments + count);
-  if (given.size() < 6) {
-    std::fputs("usage: observer FILE X Y WIDTH HEIGHT COLUMNS [RECORDING]\n", stderr);
+  if (given.size() != 7) {
+    std::fputs("usage: observer FILE X Y WIDTH HEIGHT COLUMNS CHANNELS\n", stderr);
     return 2;
   }
   try {

@@ -35,10 +35,17 @@ struct Screencopy {
 
 /// The events of a frame, in the protocol's order.
 struct FrameListener {
-  void (*buffer)(void*, wl_proxy*, std::uint32_t format, std::uint32_t width, std::uint32_t height,
+  void (*buffer)(void*,
+                 wl_proxy*,
+                 std::uint32_t format,
+                 std::uint32_t width,
+                 std::uint32_t height,
                  std::uint32_t stride);
   void (*flags)(void*, wl_proxy*, std::uint32_t flags);
-  void (*ready)(void*, wl_proxy*, std::uint32_t seconds_high, std::uint32_t seconds_low,
+  void (*ready)(void*,
+                wl_proxy*,
+                std::uint32_t seconds_high,
+                std::uint32_t seconds_low,
                 std::uint32_t nanoseconds);
   void (*failed)(void*, wl_proxy*);
 };

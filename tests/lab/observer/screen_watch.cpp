@@ -40,8 +40,11 @@ struct ScreenWatch::Connection {
 
   static Connection& from(void* data) { return *static_cast<Connection*>(data); }
 
-  static void on_global(void* data, wl_registry* registry, std::uint32_t name,
-                        const char* interface, std::uint32_t /*version*/) {
+  static void on_global(void* data,
+                        wl_registry* registry,
+                        std::uint32_t name,
+                        const char* interface,
+                        std::uint32_t /*version*/) {
     auto& self = from(data);
     const std::string_view found{interface};
     if (found == wl_shm_interface.name) {
@@ -57,8 +60,12 @@ struct ScreenWatch::Connection {
 
   static void on_removed(void* /*data*/, wl_registry* /*registry*/, std::uint32_t /*name*/) {}
 
-  static void on_buffer(void* data, wl_proxy* frame, std::uint32_t format, std::uint32_t width,
-                        std::uint32_t height, std::uint32_t stride) {
+  static void on_buffer(void* data,
+                        wl_proxy* frame,
+                        std::uint32_t format,
+                        std::uint32_t width,
+                        std::uint32_t height,
+                        std::uint32_t stride) {
     auto& self = from(data);
     if (self.buffer == nullptr) self.make_buffer(format, width, height, stride);
     wl_proxy_marshal_flags(frame, kCopy, nullptr, 1, 0, self.buffer);
@@ -66,8 +73,11 @@ struct ScreenWatch::Connection {
 
   static void on_flags(void* /*data*/, wl_proxy* /*frame*/, std::uint32_t /*flags*/) {}
 
-  static void on_ready(void* data, wl_proxy* frame, std::uint32_t seconds_high,
-                       std::uint32_t seconds_low, std::uint32_t nanoseconds) {
+  static void on_ready(void* data,
+                       wl_proxy* frame,
+                       std::uint32_t seconds_high,
+                       std::uint32_t seconds_low,
+                       std::uint32_t nanoseconds) {
     auto& self = from(data);
     const auto seconds = (std::uint64_t{seconds_high} << 32U) | seconds_low;
     self.ready_ns = static_cast<std::int64_t>(seconds) * 1'000'000'000 + nanoseconds;
@@ -81,7 +91,9 @@ struct ScreenWatch::Connection {
     wl_proxy_marshal_flags(frame, kDestroyFrame, nullptr, 1, WL_MARSHAL_FLAG_DESTROY);
   }
 
-  void make_buffer(std::uint32_t format, std::uint32_t wide, std::uint32_t high,
+  void make_buffer(std::uint32_t format,
+                   std::uint32_t wide,
+                   std::uint32_t high,
                    std::uint32_t bytes_per_line) {
     width = wide;
     height = high;
@@ -95,8 +107,12 @@ struct ScreenWatch::Connection {
     if (where == MAP_FAILED) throw std::runtime_error{"cannot map shared memory"};
     pixels = static_cast<const std::uint8_t*>(where);
     auto* const pool = wl_shm_create_pool(shm, memory, static_cast<int>(mapped));
-    buffer = wl_shm_pool_create_buffer(pool, 0, static_cast<int>(width), static_cast<int>(height),
-                                       static_cast<int>(stride), format);
+    buffer = wl_shm_pool_create_buffer(pool,
+                                       0,
+                                       static_cast<int>(width),
+                                       static_cast<int>(height),
+                                       static_cast<int>(stride),
+                                       format);
     wl_shm_pool_destroy(pool);
     close(memory);
   }
@@ -104,9 +120,18 @@ struct ScreenWatch::Connection {
   void request() {
     static const FrameListener listener{on_buffer, on_flags, on_ready, on_failed};
     done = failed = false;
-    auto* const frame = wl_proxy_marshal_flags(manager, kCaptureRegion, &screencopy().frame, 1, 0,
-                                               nullptr, 0, output, region.x, region.y,
-                                               region.width, region.height);
+    auto* const frame = wl_proxy_marshal_flags(manager,
+                                               kCaptureRegion,
+                                               &screencopy().frame,
+                                               1,
+                                               0,
+                                               nullptr,
+                                               0,
+                                               output,
+                                               region.x,
+                                               region.y,
+                                               region.width,
+                                               region.height);
     auto* const functions = const_cast<FrameListener*>(&listener);
     wl_proxy_add_listener(frame, reinterpret_cast<void (**)()>(functions), this);
   }

@@ -1,12 +1,12 @@
 #include "sound_watch.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <stdexcept>
+#include <string>
 
 #include <jack/jack.h>
 
@@ -176,10 +176,10 @@ SoundWatch::SoundWatch(const Options& options) : client_{std::make_unique<Client
     self.heard.push_back(jack_port_register(
         self.listener, name.c_str(), JACK_DEFAULT_AUDIO_TYPE, JackPortIsInput, 0));
   }
-  self.played[0] = jack_port_register(
-      self.diode, "light", JACK_DEFAULT_AUDIO_TYPE, JackPortIsOutput, 0);
-  self.played[1] = jack_port_register(
-      self.diode, "sound", JACK_DEFAULT_AUDIO_TYPE, JackPortIsOutput, 0);
+  self.played[0] =
+      jack_port_register(self.diode, "light", JACK_DEFAULT_AUDIO_TYPE, JackPortIsOutput, 0);
+  self.played[1] =
+      jack_port_register(self.diode, "sound", JACK_DEFAULT_AUDIO_TYPE, JackPortIsOutput, 0);
   jack_set_process_callback(self.listener, &Client::listen, &self);
   jack_set_process_callback(self.diode, &Client::play, &self);
   jack_set_xrun_callback(self.listener, &Client::note_trouble, &self);
@@ -248,18 +248,6 @@ std::vector<SeenSound> SoundWatch::sounds() const {
 std::vector<SeenTrouble> SoundWatch::troubles() const {
   return {client_->troubles.begin(),
           client_->troubles.begin() + static_cast<std::ptrdiff_t>(client_->trouble_count.load())};
-}
-
-void SoundWatch::write_recording(const std::string& file, int channel) const {
-  std::ofstream out{file, std::ios::binary};
-  const auto& samples = client_->recorded.at(static_cast<std::size_t>(channel));
-  out.write(reinterpret_cast<const char*>(samples.data()),
-            static_cast<std::streamsize>(client_->listened.load() * sizeof(float)));
-  if (!out) throw std::runtime_error{"cannot write " + file};
-}
-
-double SoundWatch::rate() const {
-  return client_->frames_per_second;
 }
 
 }  // namespace lab

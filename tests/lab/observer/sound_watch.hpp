@@ -26,7 +26,7 @@ class SoundWatch {
  public:
   struct Options {
     int channels = 2;             ///< that are listened to
-    double longest_s = 1200;      ///< recorded at most
+    double longest_s = 900;       ///< recorded at most
     float threshold = 1e-4F;      ///< a larger sample is sound
     double silence_s = 0.1;       ///< that must go before a sound
     double diode_delay_s = 0.05;  ///< from a refresh to its brightness in the played signal
@@ -51,11 +51,6 @@ class SoundWatch {
   /// What has been heard, on CLOCK_MONOTONIC. To be called when nothing plays any more.
   [[nodiscard]] std::vector<SeenSound> sounds() const;
   [[nodiscard]] std::vector<SeenTrouble> troubles() const;
-
-  /// Writes channel `channel` of all that was recorded as 32-bit floats.
-  void write_recording(const std::string& file, int channel) const;
-
-  [[nodiscard]] double rate() const;
 
  private:
   struct Client;

@@ -211,6 +211,7 @@ TEST_F(SqliteStoreTest, KeepsWhatTheTimingRestsOn) {
                                 .visual_line = "mouth",
                                 .visual_line_after = 8ms};
     timed.keyboard_description = "evdev";
+    timed.sound_levels = R"({"speech_dbspl":65})";
     const auto id = store->begin(timed, plan());
     auto first = trial(0);
     first.excluded = true;
@@ -248,6 +249,7 @@ TEST_F(SqliteStoreTest, KeepsWhatTheTimingRestsOn) {
   EXPECT_EQ(stored.session.timing->verdict, "usable");
   EXPECT_EQ(stored.session.timing->visual_line_after, 8ms);
   EXPECT_EQ(stored.session.keyboard_description, "evdev");
+  EXPECT_EQ(stored.session.sound_levels, R"({"speech_dbspl":65})");
   ASSERT_EQ(stored.trials.size(), 2U);
   const auto& first = stored.trials[0].trial;
   EXPECT_TRUE(first.excluded);

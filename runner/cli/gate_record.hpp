@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "runner/timing/start_up_gate.hpp"
+
+namespace bimodal::runner {
+
+/// The verdict on a screen, its reasons and what was measured, as it is stored and exported.
+[[nodiscard]] nlohmann::ordered_json as_json(const Gate& gate);
+
+}  // namespace bimodal::runner

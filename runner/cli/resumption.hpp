@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "protocols/design/plan.hpp"
+#include "protocols/reading/read_protocol.hpp"
+
+namespace bimodal::runner {
+
+/// A session that was stopped or cut off, and what of it is stored.
+struct Resumption {
+  std::int64_t session = 0;
+  std::set<std::size_t> done;  ///< indices into the plan
+};
+
+/// The last session of this participant with this protocol and session number in `data` that is not
+/// complete. Throws Error if there is none, or if what was planned then is not `plan` (another
+/// protocol, other --trials or --no-practice, other --with or --without).
+[[nodiscard]] Resumption find_resumption(const std::filesystem::path& data,
+                                         const std::string& participant,
+                                         protocols::SessionKey key,
+                                         const protocols::ReadProtocol& read,
+                                         const std::vector<protocols::PlannedTrial>& plan);
+
+/// The trials of the plan that are not done.
+[[nodiscard]] std::vector<protocols::PlannedTrial> rest_of(
+    const std::vector<protocols::PlannedTrial>& plan, const std::set<std::size_t>& done);
+
+}  // namespace bimodal::runner

@@ -1,0 +1,113 @@
+#include "runner/cli/sound_return.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace bimodal::runner {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kItself = "/proc/self/exe";
+
+std::vector<std::string> own_arguments() {
+  std::ifstream in{"/proc/self/cmdline", std::ios::binary};
+  const std::string all{std::istreambuf_iterator<char>{in}, {}};
+  std::vector<std::string> arguments;
+  for (std::size_t at = 0; at < all.size();) {
+    arguments.emplace_back(all.c_str() + at);
+    at += arguments.back().size() + 1;
+  }
+  return arguments;
+}
+
+std::vector<char*> as_argv(std::vector<std::string>& arguments) {
+  std::vector<char*> argv;
+  for (auto& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  return argv;
+}
+
+/// Looks whether there is a sound output, in a process of its own that may hang or die.
+class Look {
+ public:
+  Look() {
+    std::vector<std::string> arguments{"bimodal", "devices", "--has-sound"};
+    posix_spawn_file_actions_t actions{};
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    if (::posix_spawn(&process_, kItself, &actions, nullptr, as_argv(arguments).data(), environ) !=
+        0) {
+      process_ = -1;
+    }
+    posix_spawn_file_actions_destroy(&actions);
+  }
+
+  Look(const Look&) = delete;
+  Look& operator=(const Look&) = delete;
+  Look(Look&&) = delete;
+  Look& operator=(Look&&) = delete;
+
+  ~Look() {
+    if (process_ <= 0) return;
+    ::kill(process_, SIGKILL);
+    ::waitpid(process_, nullptr, 0);
+  }
+
+  /// Absent: it is still looking.
+  std::optional<bool> found() {
+    if (process_ <= 0) return false;
+    int status = 0;
+    if (::waitpid(process_, &status, WNOHANG) == 0) return std::nullopt;
+    process_ = -1;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
+
+ private:
+  pid_t process_ = -1;
+};
+
+}  // namespace
+
+bool await_sound(const Booth& booth, const std::function<bool()>& stopped) {
+  constexpr Duration kBetween = 2s;
+  Screen page;
+  page.captions = {{.text = "A short pause. Please wait.", .centre_y = 0.45, .size = 0.035}};
+  auto next = booth.clock.now() + kBetween;
+  std::optional<Look> look;
+  while (!stopped()) {
+    static_cast<void>(booth.display.present(page, booth.clock.now()));
+    if (std::ranges::any_of(booth.keyboard.poll(), asks_to_stop)) return false;
+    if (!look && booth.clock.now() >= next) look.emplace();
+    if (!look) continue;
+    const auto found = look->found();
+    if (!found && booth.clock.now() < next + 5 * kBetween) continue;
+    if (found.value_or(false)) return true;
+    look.reset();
+    next = booth.clock.now() + kBetween;
+  }
+  return false;
+}
+
+std::string begin_anew_and_resume() {
+  auto arguments = own_arguments();
+  if (std::ranges::find(arguments, "--resume") == arguments.end()) arguments.emplace_back("--resume");
+  std::erase(arguments, "--again");
+  ::execv(kItself, as_argv(arguments).data());
+  return std::strerror(errno);
+}
+
+}  // namespace bimodal::runner
