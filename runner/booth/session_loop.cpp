@@ -130,9 +130,11 @@ class SessionLoop {
                                 parts_.plan.size(),
                                 parts_.protocol.conditions.at(planned.condition).name));
     triggers_.begin(record.trial, parts_.protocol.conditions.at(planned.condition).name);
-    tell_state(planned, TrialState::Presenting);
+    tell_state(planned, TrialState::Fixation);
     parts_.trials.hold();
-    static_cast<void>(present_trial(booth_, trial, machine, triggers_, record));
+    static_cast<void>(present_trial(booth_, trial, machine, triggers_, record, [&] {
+      tell_state(planned, TrialState::Presenting);
+    }));
     parts_.trials.release();
     tell_state(planned, TrialState::Responding);
     const auto underflows = trial.sound ? booth_.audio.playback().underflows : 0;

@@ -18,7 +18,8 @@ CueSheet present_trial(const Booth& booth,
                        const PreparedTrial& trial,
                        TrialMachine& machine,
                        TriggerLog& triggers,
-                       TrialRecord& record) {
+                       TrialRecord& record,
+                       const std::function<void()>& begins) {
   Screen fixation;
   fixation.fixation = true;
   const auto shown = booth.display.present(fixation, booth.clock.now());
@@ -30,6 +31,7 @@ CueSheet present_trial(const Booth& booth,
     for (const auto& stroke : booth.keyboard.poll()) static_cast<void>(machine.on(stroke));
     static_cast<void>(booth.display.present(fixation, booth.clock.now()));
   } while (booth.clock.now() + kSchedulingMargin + sound_ahead < earliest);
+  if (begins) begins();
   const auto now = booth.clock.now();
   CueSheet cues{trial.layout,
                 trial.drawing_rate,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "runner/booth/booth.hpp"
 #include "runner/booth/trigger_log.hpp"
 #include "runner/preparation/trial_preparer.hpp"
@@ -12,11 +14,13 @@ namespace bimodal::runner {
 /// From the fixation mark to the end of everything seen and heard: chooses the first refresh ahead,
 /// presents the stimulus and writes down in `record` what happened. The screen is drawn at every
 /// refresh, for one that rests may change its rhythm. Returns the plan as it was carried out.
-/// Sessions and `bimodal timing` present by this one function.
+/// Sessions and `bimodal timing` present by this one function. `begins` is called once, under the
+/// fixation mark, just before the stimulus is planned; it must return within a millisecond.
 CueSheet present_trial(const Booth& booth,
                        const PreparedTrial& trial,
                        TrialMachine& machine,
                        TriggerLog& triggers,
-                       TrialRecord& record);
+                       TrialRecord& record,
+                       const std::function<void()>& begins = {});
 
 }  // namespace bimodal::runner

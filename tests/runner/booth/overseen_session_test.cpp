@@ -77,6 +77,8 @@ class KeptStore final : public SessionStore {
 
   void end(std::int64_t, std::string_view, std::string_view) override {}
 
+  void reopen(std::int64_t) override {}
+
   bool fails = false;
   std::vector<TrialRecord> trials;
   std::vector<EventRecord> events;
@@ -307,6 +309,8 @@ class RestlessKeyboard final : public Keyboard {
   }
 
   void expect(std::string_view, Instant) override {}
+
+  [[nodiscard]] std::string description() const override { return "restless"; }
 
   Key key = Key::Enter;
 
