@@ -36,9 +36,11 @@ std::string place_of(const Photodiode& photodiode) {
 Patch patch_of(const Photodiode& photodiode, int width, int height) {
   const auto box = protocols::patch_box(photodiode, width, height);
   // Halves are rounded down here as where marks are drawn, so that the pixels come out exactly.
+  const int centre_x = box.left + box.width / 2;
+  const int centre_y = box.top + box.height / 2;
   Mark mark{.shape = Mark::Shape::Box,
-            .centre_x = static_cast<double>(box.left + box.width / 2) / width,
-            .centre_y = static_cast<double>(box.top + box.height / 2) / height,
+            .centre_x = static_cast<double>(centre_x) / width,
+            .centre_y = static_cast<double>(centre_y) / height,
             .width = static_cast<double>(box.width) / width,
             .height = static_cast<double>(box.height) / height};
   const bool lights_up = photodiode.polarity == Polarity::WhiteOnBlack;

@@ -49,7 +49,9 @@ struct RunOptions {
   std::string calibration;
 };
 
+/// A line on the console, if there is something to say.
 void tell(std::string_view what) {
+  if (what.empty()) return;
   fmt::print("{}\n", what);
   std::fflush(stdout);
 }
@@ -94,14 +96,16 @@ std::string resumed_text(const SessionRecord& record) {
                      record.audio.description);
 }
 
+/// Which triggers the session does without, because that is asked for; empty: none.
+std::string leave_out_triggers(protocols::Protocol& protocol, bool asked) {
+  return asked ? trigger_kinds(std::exchange(protocol.triggers, {})) : std::string{};
+}
+
 ExitCode run(const RunOptions& options) {
   refuse_what_nobody_could_answer(options);
   auto read = load_protocol(options.protocol);
   if (!read) return ExitCode::InvalidInput;
-  std::string left_out;
-  if (options.no_triggers) {
-    left_out = trigger_kinds(std::exchange(read->protocol.triggers, {}));
-  }
+  const auto left_out = leave_out_triggers(read->protocol, options.no_triggers);
   const auto& protocol = read->protocol;
   const protocols::SessionKey key{
       .participant_number = participant_number(options.participant, options.number),
@@ -131,11 +135,8 @@ ExitCode run(const RunOptions& options) {
                                              .windowed = options.windowed,
                                              .calibration = options.calibration});
   if (!may_go_on(*devices, options.strict, !simulated)) return ExitCode::Findings;
-  const auto level = options.audio == "none" ? unheard_level(protocol.sound)
-                                             : settle_level(read->protocol.sound,
-                                                            devices->audio->device_name(),
-                                                            read_levels(level_file()));
-  if (!level.text.empty()) tell(level.text);
+  const auto level = level_on(*devices->audio, read->protocol.sound);
+  tell(level.text);
   if (!store) store = open_sqlite_store(data);
   StoreWriter writer{*store};
   if (options.display == "headless") fmt::print("no display: nothing is shown\n");

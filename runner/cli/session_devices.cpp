@@ -17,6 +17,7 @@
 #include "runner/devices/sdl/sdl_keyboard.hpp"
 #include "runner/devices/silent/silent_audio.hpp"
 #include "runner/devices/simulated/simulated_keyboard.hpp"
+#include "runner/preparation/sound_channels.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::runner {

@@ -11,7 +11,7 @@
 #include "runner/devices/patched_display.hpp"
 #include "runner/devices/right_of_way.hpp"
 #include "runner/devices/sdl/sdl_window.hpp"
-#include "runner/devices/trigger_sender.hpp"
+#include "runner/devices/triggers/trigger_sender.hpp"
 #include "runner/store/records.hpp"
 #include "runner/timing/start_up_gate.hpp"
 

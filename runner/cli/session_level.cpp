@@ -96,6 +96,11 @@ SessionLevel unheard_level(const protocols::Sound& sound) {
           .record = {}};
 }
 
+SessionLevel level_on(const AudioOutput& audio, protocols::Sound& sound) {
+  if (audio.kind() == "none") return unheard_level(sound);
+  return settle_level(sound, audio.device_name(), read_levels(level_file()));
+}
+
 SessionLevel checked_level(protocols::ReadProtocol& read,
                            const std::string& file,
                            std::vector<Diagnostic>& found) {

@@ -5,6 +5,7 @@
 #include "protocols/model/protocol.hpp"
 #include "protocols/reading/read_protocol.hpp"
 #include "runner/calibration/speech_level.hpp"
+#include "runner/devices/audio_output.hpp"
 
 namespace bimodal::runner {
 
@@ -27,6 +28,9 @@ struct SessionLevel {
 /// The same where nothing is heard, or nobody listens: the level stays at its default; the text
 /// says so if the protocol asks for another.
 [[nodiscard]] SessionLevel unheard_level(const protocols::Sound& sound);
+
+/// The one or the other: by the measurements that are kept on this machine, or `--audio none`.
+[[nodiscard]] SessionLevel level_on(const AudioOutput& audio, protocols::Sound& sound);
 
 /// The same for `check`, on the device that `run` takes without --audio: what cannot be settled is
 /// added to `found` as a warning.

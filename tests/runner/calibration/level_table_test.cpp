@@ -124,11 +124,12 @@ TEST(LevelTable, TellsOfEveryMistakeWithItsLine) {
                                 diagnostics));
   std::vector<std::string> messages;
   for (const auto& diagnostic : diagnostics) messages.push_back(describe(diagnostic));
-  EXPECT_THAT(messages,
-              ElementsAre(HasSubstr("levels.json:4: /levels/0/band_hz: the lower edge"),
-                          HasSubstr("levels.json:5: /levels/1/rate_hz: \"fast\" is not a whole number"),
-                          HasSubstr("/levels/1/dbfs: 3 is"),
-                          HasSubstr("did you mean \"channel\"?")));
+  EXPECT_THAT(
+      messages,
+      ElementsAre(HasSubstr("levels.json:4: /levels/0/band_hz: the lower edge"),
+                  HasSubstr("levels.json:5: /levels/1/rate_hz: \"fast\" is not a whole number"),
+                  HasSubstr("/levels/1/dbfs: 3 is"),
+                  HasSubstr("did you mean \"channel\"?")));
 }
 
 TEST(LevelTable, RefusesAFileThatCannotBeUsed) {
