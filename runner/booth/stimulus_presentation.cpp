@@ -1,6 +1,7 @@
 #include "runner/booth/stimulus_presentation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -47,6 +48,12 @@ ClockMapRecord record_of(std::string clock, std::string_view source, const Devic
           .readings = static_cast<std::int64_t>(of.fit.count),
           .rejected = static_cast<std::int64_t>(of.fit.rejected),
           .jumps = of.jumps};
+}
+
+/// How long nothing is heard after the sound has begun.
+Duration silence_of(const Sound& sound) {
+  const double seconds = static_cast<double>(sound.silent_head) / sound.rate.count();
+  return Duration{std::llround(seconds * 1e9)};
 }
 
 class StimulusLoop {
@@ -99,7 +106,8 @@ class StimulusLoop {
   /// without a sound until time zero was shown.
   void follow_screen() {
     const bool begins_later =
-        !trial_.sound || booth_.clock.now() + booth_.audio.lead_time() < device_onset();
+        !trial_.sound ||
+        booth_.clock.now() + booth_.audio.lead_time() < device_onset() + silent_head_;
     settled_ = settled_ || !begins_later || shown_.zero();
     if (settled_) return;
     cues_.follow(booth_.display.refresh());
@@ -257,6 +265,7 @@ class StimulusLoop {
   TrialRecord& record_;
   ShownRefreshes shown_;
   ZeroCue zero_cue_{trial_, cues_};
+  Duration silent_head_ = trial_.sound ? silence_of(*trial_.sound) : Duration{};
   bool settled_ = false;  ///< time zero stays where it is
   Screen screen_;
   Picture picture_;

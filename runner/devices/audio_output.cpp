@@ -1,7 +1,9 @@
 #include "runner/devices/audio_output.hpp"
 
 #include <algorithm>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,14 @@ Duration duration(const Sound& sound) {
   }
   return Duration{
       std::llround(static_cast<double>(samples) / sound.rate.count() * kNanosecondsPerSecond)};
+}
+
+std::int64_t count_silent_head(const Sound& sound) {
+  const auto& samples = *sound.samples;
+  const auto first = std::ranges::find_if(samples, [](float sample) { return sample != 0.0F; });
+  auto silent = std::min(first - samples.begin(), std::ssize(samples) - 1);
+  if (sound.marker) silent = std::min(silent, sound.marker->start);
+  return std::max<std::int64_t>(silent, 0);
 }
 
 void require_playable(const Sound& sound, Hertz output_rate) {

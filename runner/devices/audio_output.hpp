@@ -28,7 +28,13 @@ struct Sound {
   std::shared_ptr<const std::vector<float>> samples;
   ChannelSet channels = kBothEars;
   std::optional<Marker> marker{};
+  /// So many samples of exact silence come first, in the marker too: until they are over the sound
+  /// can still be moved.
+  std::int64_t silent_head = 0;
 };
+
+/// How many samples of exact silence `sound` begins with; all but one of a silent sound.
+[[nodiscard]] std::int64_t count_silent_head(const Sound& sound);
 
 /// To the nearest nanosecond, the marker included.
 [[nodiscard]] Duration duration(const Sound& sound);
@@ -62,8 +68,8 @@ class AudioOutput {
   /// lead_time() it starts late, and Playback says when. Replaces a sound not yet finished.
   virtual void schedule(const Sound& sound, Instant onset) = 0;
 
-  /// Moves the scheduled sound, so that its first sample is heard at `onset`, if it has not begun.
-  /// To be called as far ahead as schedule().
+  /// Moves the scheduled sound, so that its first sample is heard at `onset`, if nothing but its
+  /// silent head has been played. To be called as far ahead of the head's end as schedule().
   virtual void move(Instant onset) = 0;
 
   /// Fades the present sound out within 5 ms.

@@ -27,6 +27,8 @@ class PatchedDisplay final : public Display {
 
   [[nodiscard]] RefreshEstimate refresh() const override { return display_.refresh(); }
 
+  [[nodiscard]] std::optional<DeviceClock> clock() const override { return display_.clock(); }
+
   [[nodiscard]] std::string kind() const override { return display_.kind(); }
 
   [[nodiscard]] std::string description() const override;

@@ -149,6 +149,7 @@ PreparedTrial TrialPreparer::prepare(const PlannedTrial& trial, const Checkpoint
         .samples = std::make_shared<const std::vector<float>>(std::move(mixed->sound.samples)),
         .channels = stimulus_channels(protocol_.sound),
         .marker = click_marker(protocol_, prepared.layout.sound_lead)};
+    prepared.sound->silent_head = count_silent_head(*prepared.sound);
   }
   if (condition.visual_talker) {
     prepared.frames = frame_count(prepared.layout, drawing_rate_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace bimodal::runner {
@@ -133,24 +134,28 @@ void RefreshMeter::refit() {
   estimate_.count = static_cast<int>(counts_.single);
 }
 
-/// From the correlation of single periods with the ones that follow them.
+/// From the correlation of single periods with the ones that follow them at once.
 void RefreshMeter::measure_gain() {
-  std::array<double, kForGain> periods{};
-  const auto count = std::min(size_ - 1, kForGain);
-  std::size_t singles = 0;
-  for (std::size_t age = 0; age < count; ++age) {
+  const auto single_off = [this](std::size_t age) -> std::optional<double> {
     const auto interval = recent(age).at - recent(age + 1).at;
     const bool is_single = off_multiple(interval / period_) <= kTolerance &&
                            recent(age).index - recent(age + 1).index == 1;
-    periods[age] = is_single ? interval - period_ : 0.0;
-    if (is_single) ++singles;
-  }
-  gain_ = kLeastGain;
-  if (count < kWarmUp || 4 * singles < 3 * count) return;
+    return is_single ? std::optional{interval - period_} : std::nullopt;
+  };
   double squares = 0.0;
   double products = 0.0;
-  for (std::size_t age = 0; age < count; ++age) squares += periods[age] * periods[age];
-  for (std::size_t age = 1; age < count; ++age) products += periods[age - 1] * periods[age];
+  std::size_t pairs = 0;
+  const auto intervals = std::min(size_ - 1, kForGain);
+  for (std::size_t age = 1; age < intervals; ++age) {
+    const auto later = single_off(age - 1);
+    const auto earlier = single_off(age);
+    if (!later || !earlier) continue;
+    products += *later * *earlier;
+    squares += 0.5 * (*later * *later + *earlier * *earlier);
+    ++pairs;
+  }
+  gain_ = kLeastGain;
+  if (pairs < kWarmUp) return;
   const double rho = squares > 0.0 ? products / squares : -0.5;
   if (rho >= 0.0) {
     gain_ = 1.0;

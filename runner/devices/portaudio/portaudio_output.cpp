@@ -101,7 +101,8 @@ struct PortaudioOutput::Stream {
 
   std::map<std::uint64_t, Sound> borrowed;
   std::uint64_t present = 0;  ///< number of the last scheduled sound; 0: none
-  std::int64_t start = 0;     ///< stream sample for which it is scheduled
+  std::int64_t start = 0;     ///< stream sample for which it is scheduled, without its silent head
+  std::int64_t head = 0;      ///< samples of that
   Playback playback;
   bool started = false;
   bool onset_settled = false;
@@ -232,7 +233,7 @@ void PortaudioOutput::Stream::add(const Reading& reading) {
 void PortaudioOutput::Stream::follow_onset(std::int64_t sample) {
   if (!started || onset_settled) return;
   playback.onset = clock.fit()->instant_of(playback.start_sample);
-  onset_settled = sample >= playback.start_sample + nearest_sample(kSettling, rate).count();
+  onset_settled = sample >= playback.start_sample + head + nearest_sample(kSettling, rate).count();
 }
 
 /// Takes what the callback has left since the last time.
@@ -250,9 +251,9 @@ void PortaudioOutput::Stream::take_reports() {
     if (report->kind == MixerReport::Kind::Started) {
       if (report->sound != present) continue;
       started = true;
-      playback.start_sample = report->at;
+      playback.start_sample = report->at - head;
       onset_settled = false;
-      playback.onset = clock.fit()->instant_of(report->at);
+      playback.onset = clock.fit()->instant_of(playback.start_sample);
       continue;
     }
     borrowed.erase(report->sound);
@@ -293,14 +294,17 @@ void PortaudioOutput::schedule(const Sound& sound, Instant onset) {
         describe(stream.device))};
   }
   const auto number = stream.present + 1;
-  stream.start = stream.clock.fit()->sample_at(onset);
+  stream.head = sound.silent_head;
+  stream.start = stream.clock.fit()->sample_at(onset) + stream.head;
+  auto marker = sound.marker ? mixer_marker(*sound.marker) : MixerMarker{};
+  if (sound.marker) marker.start -= stream.head;
   stream.post({.kind = MixerCommand::Kind::Start,
                .sound = number,
-               .samples = sound.samples->data(),
-               .length = static_cast<std::int64_t>(sound.samples->size()),
+               .samples = sound.samples->data() + stream.head,
+               .length = static_cast<std::int64_t>(sound.samples->size()) - stream.head,
                .start = stream.start,
                .channels = sound.channels,
-               .marker = sound.marker ? mixer_marker(*sound.marker) : MixerMarker{}});
+               .marker = marker});
   stream.borrowed[number] = sound;
   stream.present = number;
   stream.started = false;
@@ -311,7 +315,7 @@ void PortaudioOutput::move(Instant onset) {
   auto& stream = *stream_;
   stream.collect();
   if (stream.started || stream.playback.finished) return;
-  const auto start = stream.clock.fit()->sample_at(onset);
+  const auto start = stream.clock.fit()->sample_at(onset) + stream.head;
   if (start == stream.start) return;
   stream.start = start;
   stream.post({.kind = MixerCommand::Kind::Move, .sound = stream.present, .start = start});

@@ -93,5 +93,32 @@ TEST(SilentAudio, NeverClaimsAnOnsetButKeepsThePace) {
   EXPECT_TRUE(audio.playback().finished);
 }
 
+Sound sound_with(std::vector<float> samples) {
+  return {Hertz{48'000}, std::make_shared<const std::vector<float>>(std::move(samples))};
+}
+
+TEST(SilentHead, IsWhatIsExactlySilentBeforeSoundAndMarker) {
+  EXPECT_EQ(count_silent_head(sound_with({0, 0, 1e-30F, 0})), 2);
+  EXPECT_EQ(count_silent_head(sound_with({1, 0})), 0);
+  EXPECT_EQ(count_silent_head(sound_with({0, 0, 0})), 2);
+  EXPECT_EQ(count_silent_head(sound_with({})), 0);
+  auto marked = sound_with({0, 0, 0, 1});
+  marked.marker = Marker{.samples = marked.samples, .start = 1, .channels = {}};
+  EXPECT_EQ(count_silent_head(marked), 1);
+}
+
+TEST(SimulatedAudio, MovesASoundThatHasNotBegun) {
+  ManualClock clock;
+  SimulatedAudio audio{clock};
+  audio.schedule(sound_of(48'000), Instant{milliseconds{100}});
+  audio.move(Instant{milliseconds{130}});
+  clock.set(milliseconds{129});
+  EXPECT_FALSE(audio.playback().onset);
+  clock.set(milliseconds{130});
+  EXPECT_EQ(audio.playback().onset, Instant{milliseconds{130}});
+  audio.move(Instant{milliseconds{500}});
+  EXPECT_EQ(audio.playback().onset, Instant{milliseconds{130}});
+}
+
 }  // namespace
 }  // namespace bimodal::runner
