@@ -12,6 +12,7 @@
 #include "runner/booth/progress_teller.hpp"
 #include "runner/booth/stop_question.hpp"
 #include "runner/booth/trial_presentation.hpp"
+#include "runner/devices/device_error.hpp"
 #include "runner/session/session_steps.hpp"
 #include "runner/session/trial_machine.hpp"
 #include "stimuli/base/error.hpp"
@@ -69,7 +70,11 @@ class SessionLoop {
 
   /// The session ends because of an error.
   void fail(const std::string& why) {
-    present({});
+    try {
+      present({});
+    } catch (const DeviceError&) {
+      // It is the screen that failed.
+    }
     teller_.failed(why);
   }
 
@@ -148,6 +153,10 @@ class SessionLoop {
     ++outcome_.trials;
     outcome_.flagged += record.flagged ? 1 : 0;
     teller_.answered(planned, record, underflows);
+    if (std::ranges::find(record.events, "screen_silent", &EventRecord::kind) !=
+        record.events.end()) {
+      oversight_.ask_for_pause("the screen reports nothing: it may be asleep, or its window hidden");
+    }
     const bool stays = pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
     teller_.stored(parts_.plan.size());
     return stays;

@@ -33,6 +33,9 @@ class ShownRefreshes {
   /// Frames that were shown more than half a period before they were due.
   [[nodiscard]] int early() const { return early_; }
 
+  /// Refreshes that showed a frame.
+  [[nodiscard]] int count() const { return static_cast<int>(record_.frame.size()); }
+
   /// Refreshes of which nobody reported when they took place.
   [[nodiscard]] int unreported() const { return unreported_; }
 

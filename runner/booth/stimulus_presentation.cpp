@@ -172,6 +172,9 @@ class StimulusLoop {
     note_refreshes("early_frame", shown_.early(), "early");
     if (booth_.display.time_source() != TimeSource::Predicted) {
       note_refreshes("frame_unreported", shown_.unreported(), "not reported by the display");
+      if (shown_.unreported() > 0 && shown_.unreported() == shown_.count()) {
+        note("screen_silent", "the display reported nothing: it may be asleep, or the window hidden");
+      }
     }
   }
 

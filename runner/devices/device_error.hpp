@@ -10,6 +10,12 @@ class DeviceError : public Error {
   using Error::Error;
 };
 
+/// The screen has gone in the middle of a session.
+class DisplayLost : public DeviceError {
+ public:
+  using DeviceError::DeviceError;
+};
+
 /// The sound output has gone in the middle of a session. It may come back.
 class SoundLost : public DeviceError {
  public:

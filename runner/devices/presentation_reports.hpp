@@ -36,7 +36,8 @@ class PresentationReports {
   virtual void request() = 0;
 
   /// Blocks until what was last asked has been answered, at most `patience`. Nothing: the content
-  /// was not shown (window hidden, content replaced), or no answer.
+  /// was not shown (window hidden, content replaced), or no answer. Throws DisplayLost if whoever
+  /// answers is gone.
   [[nodiscard]] virtual std::optional<PresentationReport> await(Duration patience,
                                                                 const Meanwhile& meanwhile) = 0;
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include <SDL.h>
-#include <SDL_opengl.h>
+#include <epoxy/gl.h>
 
 int main(int count, char** arguments) {
   if (count != 2) return 2;

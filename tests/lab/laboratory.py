@@ -111,7 +111,7 @@ class Laboratory:
             "WLR_RENDERER": "pixman",
             "WLR_LIBINPUT_NO_DEVICES": "1",
         }
-        self.start(command, "sway.log", env=environment)
+        self.screen = self.start(command, "sway.log", env=environment)
         socket = wait_for(
             lambda: [p.name for p in self.runtime.glob("wayland-*") if p.suffix != ".lock"],
             "sway",

@@ -46,6 +46,10 @@ bool EventQueue::take(Instant until) {
          wl_display_dispatch_queue_pending(display_, queue_) >= 0;
 }
 
+bool EventQueue::is_connected() const {
+  return wl_display_get_error(display_) == 0;
+}
+
 void EventQueue::take_read() {
   wl_display_dispatch_queue_pending(display_, queue_);
 }

@@ -38,6 +38,9 @@ class EventQueue {
   /// millisecond. False: the connection is lost.
   [[nodiscard]] bool take(Instant until);
 
+  /// Whether the compositor is still there.
+  [[nodiscard]] bool is_connected() const;
+
   /// Handles what has been read from the connection, and reads nothing.
   void take_read();
 

@@ -6,6 +6,7 @@
 
 #include <wayland-client.h>
 
+#include "runner/devices/device_error.hpp"
 #include "runner/devices/monotonic_clock.hpp"
 #include "runner/devices/wayland/event_queue.hpp"
 #include "runner/devices/wayland/presentation_protocol.hpp"
@@ -176,6 +177,11 @@ std::optional<PresentationReport> SurfaceFeedback::await(Duration patience,
   while (!self.answered && self.queue.take(until)) {
     meanwhile();
     if (MonotonicClock{}.now() >= until) break;
+  }
+  if (!self.queue.is_connected()) {
+    throw DisplayLost{
+        "the screen was lost: the compositor has gone; what is stored is kept, go on by `bimodal "
+        "run ... --resume`"};
   }
   self.forget();
   return self.report;
