@@ -27,8 +27,8 @@ Sound beep(const FlashTrial& flash) {
   const auto count = static_cast<std::size_t>(nearest_sample(flash.beep, flash.sound_rate).count());
   auto samples = std::make_shared<std::vector<float>>(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double phase = 2.0 * std::numbers::pi * kBeepFrequency * static_cast<double>(i) /
-                         flash.sound_rate.count();
+    const double phase =
+        2.0 * std::numbers::pi * kBeepFrequency * static_cast<double>(i) / flash.sound_rate.count();
     (*samples)[i] = static_cast<float>(flash.level * std::cos(phase));
   }
   return {.rate = flash.sound_rate, .samples = std::move(samples)};
@@ -53,9 +53,8 @@ PreparedTrial make_flash_trial(const FlashTrial& flash) {
   Film film;
   for (const bool is_white : {false, true}) {
     for (int level = 0; level < kLevels; ++level) {
-      film.pictures.push_back(picture(flash.size,
-                                      is_white ? 255 : 0,
-                                      static_cast<std::uint8_t>(frame_level(level))));
+      film.pictures.push_back(
+          picture(flash.size, is_white ? 255 : 0, static_cast<std::uint8_t>(frame_level(level))));
     }
   }
   for (std::int64_t frame = 0; frame < trial.frames; ++frame) {

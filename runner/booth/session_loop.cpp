@@ -62,8 +62,8 @@ class SessionLoop {
                              : run_trial(std::get<TrialStep>(step));
       if (!go_on) break;
     }
-    outcome_.complete = parts_.done.size() + static_cast<std::size_t>(outcome_.trials) ==
-                        parts_.plan.size();
+    outcome_.complete =
+        parts_.done.size() + static_cast<std::size_t>(outcome_.trials) == parts_.plan.size();
     teller_.ended(outcome_.complete ? "complete" : "stopped");
     return outcome_;
   }
@@ -155,7 +155,8 @@ class SessionLoop {
     teller_.answered(planned, record, underflows);
     if (std::ranges::find(record.events, "screen_silent", &EventRecord::kind) !=
         record.events.end()) {
-      oversight_.ask_for_pause("the screen reports nothing: it may be asleep, or its window hidden");
+      oversight_.ask_for_pause(
+          "the screen reports nothing: it may be asleep, or its window hidden");
     }
     const bool stays = pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
     teller_.stored(parts_.plan.size());

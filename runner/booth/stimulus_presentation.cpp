@@ -105,9 +105,8 @@ class StimulusLoop {
   /// Takes picture and sound along with the screen as long as the sound can still be moved, or
   /// without a sound until time zero was shown.
   void follow_screen() {
-    const bool begins_later =
-        !trial_.sound ||
-        booth_.clock.now() + booth_.audio.lead_time() < device_onset() + silent_head_;
+    const bool begins_later = !trial_.sound || booth_.clock.now() + booth_.audio.lead_time() <
+                                                   device_onset() + silent_head_;
     settled_ = settled_ || !begins_later || shown_.zero();
     if (settled_) return;
     cues_.follow(booth_.display.refresh());
@@ -173,7 +172,8 @@ class StimulusLoop {
     if (booth_.display.time_source() != TimeSource::Predicted) {
       note_refreshes("frame_unreported", shown_.unreported(), "not reported by the display");
       if (shown_.unreported() > 0 && shown_.unreported() == shown_.count()) {
-        note("screen_silent", "the display reported nothing: it may be asleep, or the window hidden");
+        note("screen_silent",
+             "the display reported nothing: it may be asleep, or the window hidden");
       }
     }
   }
@@ -204,8 +204,8 @@ class StimulusLoop {
                       .planned = since_zero(cues_.auditory_zero() + booth_.reference.line_after),
                       .source = std::string{playback.source}};
     if (playback.onset) {
-      onset.reported = since_zero(*playback.onset + booth_.reference.sound_after +
-                                  trial_.layout.sound_lead);
+      onset.reported =
+          since_zero(*playback.onset + booth_.reference.sound_after + trial_.layout.sound_lead);
       const auto lateness = *playback.onset - device_onset();
       if (std::chrono::abs(lateness) > kSoundTolerance) {
         note("late_sound", fmt::format("{:+.2f} ms against the plan", milliseconds(lateness)));

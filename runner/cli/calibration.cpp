@@ -64,8 +64,10 @@ std::filesystem::path calibration_file(const std::string& name) {
   }
   const char* const home = std::getenv("HOME");
   if (home == nullptr) {
-    throw Error{"cannot tell where calibrations are kept: neither BIMODAL_CONFIG nor HOME is set; "
-                "set one, or give a path as ./" + name + ".json"};
+    throw Error{
+        "cannot tell where calibrations are kept: neither BIMODAL_CONFIG nor HOME is set; "
+        "set one, or give a path as ./" +
+        name + ".json"};
   }
   return std::filesystem::path{home} / ".config" / "bimodal" / "timing" / (name + ".json");
 }
@@ -79,17 +81,19 @@ void write_calibration(const Calibration& calibration, const std::filesystem::pa
 Calibration read_calibration(const std::filesystem::path& file) {
   std::ifstream in{file, std::ios::binary};
   if (!in) {
-    throw Error{fmt::format("there is no calibration '{}'; make one by `bimodal timing --input "
-                            "DEVICE --calibration NAME`, or leave --calibration out",
-                            file.string())};
+    throw Error{
+        fmt::format("there is no calibration '{}'; make one by `bimodal timing --input "
+                    "DEVICE --calibration NAME`, or leave --calibration out",
+                    file.string())};
   }
   const std::string text{std::istreambuf_iterator<char>{in}, {}};
   const auto json = nlohmann::json::parse(text, nullptr, false);
   try {
     if (json.at("bimodal_calibration").get<int>() != kFormat) {
-      throw Error{fmt::format("'{}' is of a format that this program does not know; make it anew "
-                              "by `bimodal timing`",
-                              file.string())};
+      throw Error{
+          fmt::format("'{}' is of a format that this program does not know; make it anew "
+                      "by `bimodal timing`",
+                      file.string())};
     }
     return {.name = json.at("name").get<std::string>(),
             .made_utc = json.at("made_utc").get<std::string>(),
@@ -100,9 +104,10 @@ Calibration read_calibration(const std::filesystem::path& file) {
             .visual = moments_from(json.at("visual_true_minus_reported")),
             .auditory = moments_from(json.at("auditory_true_minus_reported"))};
   } catch (const nlohmann::json::exception&) {
-    throw Error{fmt::format("'{}' is no calibration, or is damaged; make it anew by `bimodal "
-                            "timing --input DEVICE --calibration NAME`",
-                            file.string())};
+    throw Error{
+        fmt::format("'{}' is no calibration, or is damaged; make it anew by `bimodal "
+                    "timing --input DEVICE --calibration NAME`",
+                    file.string())};
   }
 }
 

@@ -45,7 +45,8 @@ Resumption find_resumption(const std::filesystem::path& data,
   bool has_other_protocol = false;
   for (const auto& stored : sessions) {
     const auto& session = stored.session;
-    if (session.participant != participant || session.session_number != key.session_number) continue;
+    if (session.participant != participant || session.session_number != key.session_number)
+      continue;
     if (session.protocol_sha256 != read.sha256) {
       has_other_protocol = true;
       continue;

@@ -11,6 +11,7 @@
 #include "runner/cli/option_checks.hpp"
 #include "runner/cli/protocol_file.hpp"
 #include "runner/cli/resumption.hpp"
+#include "runner/cli/session_beginning.hpp"
 #include "runner/cli/session_devices.hpp"
 #include "runner/cli/session_face.hpp"
 #include "runner/cli/session_level.hpp"
@@ -70,7 +71,9 @@ void report_outcome(const SessionOutcome& outcome,
     fmt::print("; timing flagged in {}, see table event\n", outcome.flagged);
   }
   if (!outcome.complete) {
-    fmt::print("what was answered is kept; --resume goes on, --again begins this session anew, beside it\n");
+    fmt::print(
+        "what was answered is kept; --resume goes on, --again begins this session anew, beside "
+        "it\n");
   }
 }
 
@@ -82,23 +85,21 @@ void refuse_what_nobody_could_answer(const RunOptions& options) {
   }
 }
 
-EventRecord paused_event(Instant at, std::string why) {
-  return {.at = at.time_since_epoch(), .kind = "paused", .detail = std::move(why)};
-}
-
-/// By what a session goes on: it may have been another machine before.
-std::string resumed_text(const SessionRecord& record) {
-  return fmt::format("by a new process of version {}, {}; screen: {} ({}); sound: {}",
-                     record.program_version,
-                     record.started_utc,
-                     record.display.description,
-                     record.timing ? record.timing->verdict : "not judged",
-                     record.audio.description);
-}
-
 /// Which triggers the session does without, because that is asked for; empty: none.
 std::string leave_out_triggers(protocols::Protocol& protocol, bool asked) {
   return asked ? trigger_kinds(std::exchange(protocol.triggers, {})) : std::string{};
+}
+
+/// An earlier part of this session, if it is to go on; else refuses to repeat one.
+std::optional<Resumption> earlier_part(const RunOptions& options,
+                                       const std::filesystem::path& data,
+                                       protocols::SessionKey key,
+                                       const protocols::ReadProtocol& read,
+                                       const std::vector<protocols::PlannedTrial>& plan) {
+  if (options.resume) return find_resumption(data, options.participant, key, read, plan);
+  const bool simulated = options.answers == "simulated";
+  if (!options.again) refuse_repetition(data, options.participant, key, read, simulated);
+  return std::nullopt;
 }
 
 ExitCode run(const RunOptions& options) {
@@ -118,12 +119,7 @@ ExitCode run(const RunOptions& options) {
   const auto data = options.data.empty() ? default_data_file(options.protocol.named)
                                          : std::filesystem::path{options.data};
   const bool simulated = options.answers == "simulated";
-  std::optional<Resumption> resumption;
-  if (options.resume) {
-    resumption = find_resumption(data, options.participant, key, *read, plan);
-  } else if (!options.again) {
-    refuse_repetition(data, options.participant, key, *read, simulated);
-  }
+  const auto resumption = earlier_part(options, data, key, *read, plan);
   const auto face = examine_face(*read, plan, options.display != "headless" && !simulated);
   // A new file is made only when the devices are there; an old one is opened before anything shows.
   auto store = std::filesystem::exists(data) ? open_sqlite_store(data) : nullptr;
@@ -173,20 +169,13 @@ ExitCode run(const RunOptions& options) {
     record.refresh_count = refresh.count;
     if (face) record.face = record_of(*face, quality);
     watched.begin(record);
-    const auto note = [&](std::int64_t id, const char* kind, std::string detail) {
-      store->add(id, EventRecord{devices->clock.now().time_since_epoch(), kind, std::move(detail)});
-    };
-    if (resumption) {
-      store->reopen(resumption->session);
-      note(resumption->session, "resumed", resumed_text(record));
-      return resumption->session;
-    }
-    const auto id = store->begin(record, plan_records(*read, plan));
-    if (options.trials || options.no_practice) {
-      note(id, "shortened", fmt::format("{} trials by --trials or --no-practice", plan.size()));
-    }
-    if (!left_out.empty()) note(id, "no_triggers", left_out + " left out by --no-triggers");
-    return id;
+    return begin_in(*store,
+                    {.record = record,
+                     .plan = plan_records(*read, plan),
+                     .resumption = resumption,
+                     .is_shortened = options.trials || options.no_practice,
+                     .left_out = left_out,
+                     .at = devices->clock.now()});
   };
   stop_at_interrupt();
   std::optional<std::int64_t> session;
@@ -209,15 +198,8 @@ ExitCode run(const RunOptions& options) {
     report_outcome(outcome, plan, data.string());
   } catch (const SoundLost& loss) {
     if (!session) throw;
-    tell(fmt::format("paused: {}\nwaiting for the sound to come back; Escape or Ctrl-C stops",
-                     loss.what()));
-    writer.add(*session, paused_event(devices->clock.now(), "the sound device was lost")).get();
-    if (await_sound(booth, interrupt_asked)) {
-      tell("the sound is back: the session goes on where it was");
-      throw DeviceError{"cannot begin anew: " + begin_anew_and_resume()};
-    }
+    outlast_lost_sound(loss, booth, writer, *session, tell);
     store->end(*session, "stopped", utc_now());
-    tell("stopped; what was answered is kept, and --resume goes on");
   }
   return ExitCode::Done;
 }
@@ -262,9 +244,10 @@ void add_run(CLI::App& app, Verb& chosen) {
   verb->add_flag("--no-triggers",
                  options->no_triggers,
                  "without the protocol's triggers, for trying out without the equipment");
-  verb->add_flag("--resume",
-                 options->resume,
-                 "goes on with the session that was stopped or cut off; nothing is presented twice");
+  verb->add_flag(
+      "--resume",
+      options->resume,
+      "goes on with the session that was stopped or cut off; nothing is presented twice");
   verb->add_flag("--strict", options->strict, "refuses a screen that is not for timing");
   verb->add_option("--calibration",
                    options->calibration,

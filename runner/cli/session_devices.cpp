@@ -176,10 +176,10 @@ Booth booth_of(SessionDevices& devices) {
 bool may_go_on(SessionDevices& devices, bool strict, bool ask) {
   if (!devices.window) return true;
   const auto& gate = devices.gate;
-  fmt::print("screen: {}{}\n",
-             gate.verdict == TimingVerdict::NotForTiming ? "not for timing" : name(gate.verdict),
-             gate.reasons.empty() ? std::string{}
-                                  : fmt::format(": {}", fmt::join(gate.reasons, "; ")));
+  fmt::print(
+      "screen: {}{}\n",
+      gate.verdict == TimingVerdict::NotForTiming ? "not for timing" : name(gate.verdict),
+      gate.reasons.empty() ? std::string{} : fmt::format(": {}", fmt::join(gate.reasons, "; ")));
   std::fflush(stdout);
   if (gate.verdict != TimingVerdict::NotForTiming) return true;
   if (strict) {

@@ -19,11 +19,11 @@ namespace bimodal::runner {
 
 /// Which devices a session is to use.
 struct DeviceChoice {
-  std::string display = "window";   ///< or "headless"
-  std::string audio = "default";    ///< or a device, or "none"
+  std::string display = "window";  ///< or "headless"
+  std::string audio = "default";   ///< or a device, or "none"
   bool simulated_answers = false;
-  bool windowed = false;            ///< whatever the protocol says
-  std::string calibration;          ///< its name; empty: none
+  bool windowed = false;    ///< whatever the protocol says
+  std::string calibration;  ///< its name; empty: none
 };
 
 /// The devices of a session, and what its timing rests on. Members are in the order in which they
@@ -51,8 +51,8 @@ struct SessionDevices {
 [[nodiscard]] Booth booth_of(SessionDevices& devices);
 
 /// Tells the verdict on the screen. Where it is not for timing, `strict` refuses (throws
-/// DeviceError); else, if `ask`, the screen asks whether to go on, and false means no. One that shows
-/// nothing is not judged.
+/// DeviceError); else, if `ask`, the screen asks whether to go on, and false means no. One that
+/// shows nothing is not judged.
 [[nodiscard]] bool may_go_on(SessionDevices& devices, bool strict, bool ask);
 
 }  // namespace bimodal::runner

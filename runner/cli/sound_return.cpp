@@ -10,9 +10,12 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "runner/cli/interrupt.hpp"
 
 namespace bimodal::runner {
 
@@ -104,10 +107,29 @@ bool await_sound(const Booth& booth, const std::function<bool()>& stopped) {
 
 std::string begin_anew_and_resume() {
   auto arguments = own_arguments();
-  if (std::ranges::find(arguments, "--resume") == arguments.end()) arguments.emplace_back("--resume");
+  if (std::ranges::find(arguments, "--resume") == arguments.end())
+    arguments.emplace_back("--resume");
   std::erase(arguments, "--again");
   ::execv(kItself, as_argv(arguments).data());
   return std::strerror(errno);
+}
+
+void outlast_lost_sound(const SoundLost& loss,
+                        const Booth& booth,
+                        StoreWriter& writer,
+                        std::int64_t session,
+                        const std::function<void(std::string_view)>& tell) {
+  tell(fmt::format("paused: {}\nwaiting for the sound to come back; Escape or Ctrl-C stops",
+                   loss.what()));
+  const EventRecord paused{.at = booth.clock.now().time_since_epoch(),
+                           .kind = "paused",
+                           .detail = "the sound device was lost"};
+  writer.add(session, paused).get();
+  if (await_sound(booth, interrupt_asked)) {
+    tell("the sound is back: the session goes on where it was");
+    throw DeviceError{"cannot begin anew: " + begin_anew_and_resume()};
+  }
+  tell("stopped; what was answered is kept, and --resume goes on");
 }
 
 }  // namespace bimodal::runner

@@ -57,8 +57,8 @@ Panel course_panel(const TimingFindings& findings) {
   for (const auto& trial : findings.trials) {
     const bool measured = trial.true_visual && trial.true_auditory;
     if (!measured && (!findings.input.empty() || !trial.visual || !trial.auditory)) continue;
-    const auto offset = measured ? *trial.true_auditory - *trial.true_visual
-                                 : *trial.auditory - *trial.visual;
+    const auto offset =
+        measured ? *trial.true_auditory - *trial.true_visual : *trial.auditory - *trial.visual;
     (trial.record.flagged ? flagged : kept)
         .points.push_back({static_cast<double>(trial.record.trial + 1),
                            milliseconds(offset - findings.intended)});
@@ -72,7 +72,8 @@ Panel course_panel(const TimingFindings& findings) {
 std::string row(std::string_view what, const Moments& moments) {
   if (moments.count == 0) return {};
   return fmt::format(
-      "<tr><td>{}</td><td>{}</td><td>{:+.3f}</td><td>{:.3f}</td><td>{:+.3f}</td><td>{:+.3f}</td></tr>\n",
+      "<tr><td>{}</td><td>{}</td><td>{:+.3f}</td><td>{:.3f}</td><td>{:+.3f}</td><td>{:+.3f}</td></"
+      "tr>\n",
       what,
       moments.count,
       moments.mean_ms,
@@ -96,8 +97,10 @@ std::string as_page(const TimingFindings& findings) {
                           ? std::string{}
                           : escaped(fmt::format(" - {}", fmt::join(findings.gate.reasons, "; "))));
   page += fmt::format(
-      "<p>{} trials after the first, {} flagged. Audio-visual offset is audio minus visual; {:+g} ms "
-      "intended.</p>\n<table><tr><th>ms</th><th>trials</th><th>mean</th><th>SD</th><th>smallest</th>"
+      "<p>{} trials after the first, {} flagged. Audio-visual offset is audio minus visual; {:+g} "
+      "ms "
+      "intended.</p>\n<table><tr><th>ms</th><th>trials</th><th>mean</th><th>SD</th><th>smallest</"
+      "th>"
       "<th>largest</th></tr>\n",
       summary.trials,
       summary.flagged,
@@ -113,7 +116,8 @@ std::string as_page(const TimingFindings& findings) {
                                                       : "By the photodiode and the cable.",
                     .panels = {histogram_panel(summary), course_panel(findings)}});
   }
-  page += "<h2>As a terminal shows it</h2>\n<pre>" + escaped(as_text(findings)) + "</pre>\n</html>\n";
+  page +=
+      "<h2>As a terminal shows it</h2>\n<pre>" + escaped(as_text(findings)) + "</pre>\n</html>\n";
   return page;
 }
 

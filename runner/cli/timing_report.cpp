@@ -16,9 +16,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kUnknown =
     "What cannot be known without instruments: when light left the screen and sound left the\n"
-    "loudspeaker. The instants above are the computer's own word. A screen may show a picture 1 to 50\n"
+    "loudspeaker. The instants above are the computer's own word. A screen may show a picture 1 to "
+    "50\n"
     "ms later (scan-out, processing, the panel), a sound device some ms later than it says, and a\n"
-    "program can log perfect timing while the screen stands still. Put a photodiode on the left half\n"
+    "program can log perfect timing while the screen stands still. Put a photodiode on the left "
+    "half\n"
     "of the flash and a cable from the sound output, both on a sound input, and run\n"
     "  bimodal timing --input DEVICE --calibration NAME\n";
 
@@ -51,7 +53,8 @@ Json as_json(const TimedTrial& trial) {
     json["planned_ns"][onset.modality] = onset.planned.count();
     json["source"][onset.modality] = onset.source;
   }
-  for (const auto& event : record.events) json["events"].push_back(event.kind + ": " + event.detail);
+  for (const auto& event : record.events)
+    json["events"].push_back(event.kind + ": " + event.detail);
   for (const auto shown : record.refreshes.shown) json["shown_ns"].push_back(shown.count());
   return json;
 }
@@ -80,8 +83,8 @@ TimingSummary summarise(const TimingFindings& findings) {
   std::vector<Duration> measured;
   std::vector<Duration> visual;
   std::vector<Duration> auditory;
-  for (const auto& trial : std::span{findings.trials}.subspan(std::min<std::size_t>(
-           1, findings.trials.size()))) {  // the first one finds caches cold
+  for (const auto& trial : std::span{findings.trials}.subspan(
+           std::min<std::size_t>(1, findings.trials.size()))) {  // the first one finds caches cold
     ++summary.trials;
     if (trial.record.flagged) {
       ++summary.flagged;
@@ -112,19 +115,21 @@ std::string as_text(const TimingFindings& findings) {
   auto text = fmt::format("screen: {}\nsound:  {}\n", findings.display, findings.audio);
   if (has_instruments) text += fmt::format("input:  {}\n", findings.input);
   text += fmt::format("{}\n{}\n", findings.right_of_way, verdict_text(findings.gate));
-  text += fmt::format("{} trials after the first, {} flagged; audio-visual offset (audio minus "
-                      "visual, {:+g} ms intended) of the others:\n",
-                      summary.trials,
-                      summary.flagged,
-                      std::chrono::duration<double, std::milli>{findings.intended}.count());
+  text += fmt::format(
+      "{} trials after the first, {} flagged; audio-visual offset (audio minus "
+      "visual, {:+g} ms intended) of the others:\n",
+      summary.trials,
+      summary.flagged,
+      std::chrono::duration<double, std::milli>{findings.intended}.count());
   text += line("reported, off the intended one", summary.reported);
   text += line("measured, off the intended one", summary.measured);
   text += line("light, measured minus reported", summary.visual);
   text += line("sound, measured minus reported", summary.auditory);
   if (summary.unmeasured > 0) {
-    text += fmt::format("  in {} trials the instruments saw or heard nothing: is the photodiode on "
-                        "the left half of the flash, and is the cable in channel and level right?\n",
-                        summary.unmeasured);
+    text += fmt::format(
+        "  in {} trials the instruments saw or heard nothing: is the photodiode on "
+        "the left half of the flash, and is the cable in channel and level right?\n",
+        summary.unmeasured);
   }
   if (findings.input_lost > 0) {
     text += fmt::format("  {} samples of the input were lost: what it measured is wrong\n",
@@ -135,7 +140,8 @@ std::string as_text(const TimingFindings& findings) {
                       draw(histogram_of(summary.offsets)));
   for (const auto& trial : findings.trials) {
     for (const auto& event : trial.record.events) {
-      text += fmt::format("trial {} flagged: {}: {}\n", trial.record.trial + 1, event.kind, event.detail);
+      text += fmt::format(
+          "trial {} flagged: {}: {}\n", trial.record.trial + 1, event.kind, event.detail);
     }
   }
   if (!has_instruments) text += std::string{"\n"} + kUnknown;

@@ -31,10 +31,9 @@ struct TimingPlan {
 
 /// Presents the flashes as a session presents its trials. `after` is told of each trial; `stopped`
 /// ends the run before the next one.
-[[nodiscard]] std::vector<TimedTrial> run_timing(
-    const Booth& booth,
-    const TimingPlan& plan,
-    const std::function<void(int, TimedTrial&)>& after,
-    const std::function<bool()>& stopped);
+[[nodiscard]] std::vector<TimedTrial> run_timing(const Booth& booth,
+                                                 const TimingPlan& plan,
+                                                 const std::function<void(int, TimedTrial&)>& after,
+                                                 const std::function<bool()>& stopped);
 
 }  // namespace bimodal::runner

@@ -44,10 +44,12 @@ std::optional<double> onset_of_light(std::span<const float> signal,
   if (rest == 0 || signal.size() <= rest + lasting) return std::nullopt;
   const auto dark = rest_of(signal.first(rest));
   const auto farthest = *std::ranges::max_element(
-      signal, {}, [&](double sample) { return std::abs(sample - dark.level); });
+      signal, {}, [&](float sample) { return std::abs(static_cast<double>(sample) - dark.level); });
   const double step = static_cast<double>(farthest) - dark.level;
   if (!stands_out(step, dark)) return std::nullopt;
-  const auto height = [&](std::size_t at) { return (static_cast<double>(signal[at]) - dark.level) / step; };
+  const auto height = [&](std::size_t at) {
+    return (static_cast<double>(signal[at]) - dark.level) / step;
+  };
   std::size_t beyond = 0;
   for (std::size_t at = 0; at < signal.size(); ++at) {
     beyond = height(at) >= 0.5 ? beyond + 1 : 0;
@@ -63,7 +65,9 @@ std::optional<double> onset_of_light(std::span<const float> signal,
 std::optional<double> onset_of_sound(std::span<const float> signal, std::size_t rest) {
   if (rest == 0 || signal.size() <= rest) return std::nullopt;
   const auto silence = rest_of(signal.first(rest));
-  const auto magnitude = [&](double sample) { return std::abs(sample - silence.level); };
+  const auto magnitude = [&](float sample) {
+    return std::abs(static_cast<double>(sample) - silence.level);
+  };
   const auto largest = magnitude(*std::ranges::max_element(signal, {}, magnitude));
   if (!stands_out(largest, silence)) return std::nullopt;
   const auto first = std::ranges::find_if(

@@ -18,7 +18,6 @@ namespace bimodal::runner {
 /// The first sample of a sound that begins at full level after silence (the first `rest` samples):
 /// the first one whose magnitude is at least a third of the largest. Absent if that is smaller than
 /// 8 times the robust standard deviation of the silence, or than 0.002 of full scale.
-[[nodiscard]] std::optional<double> onset_of_sound(std::span<const float> signal,
-                                                   std::size_t rest);
+[[nodiscard]] std::optional<double> onset_of_sound(std::span<const float> signal, std::size_t rest);
 
 }  // namespace bimodal::runner

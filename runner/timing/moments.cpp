@@ -34,11 +34,11 @@ Moments moments_of(std::span<const Duration> durations) {
   std::vector<double> values(durations.size());
   std::ranges::transform(durations, values.begin(), milliseconds);
   std::ranges::sort(values);
-  Moments moments{.count = values.size(),
-                  .smallest_ms = values.front(),
-                  .largest_ms = values.back(),
-                  .largest_magnitude_ms =
-                      std::max(std::abs(values.front()), std::abs(values.back()))};
+  Moments moments{
+      .count = values.size(),
+      .smallest_ms = values.front(),
+      .largest_ms = values.back(),
+      .largest_magnitude_ms = std::max(std::abs(values.front()), std::abs(values.back()))};
   const auto half = values.size() / 2;
   moments.median_ms =
       values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);

@@ -13,9 +13,9 @@ constexpr double kTolerance = 0.2;        ///< of a period, from a whole multipl
 constexpr double kNormalPerMad = 1.4826;  ///< standard deviation of a normal distribution / MAD
 constexpr double kOutlierDeviations = 5.0;
 constexpr double kLeastOutlier = 0.02;  ///< of a period
-constexpr double kLeastGain = 0.2;       ///< about as good as a mean of the last 9
-constexpr std::size_t kForPhase = 24;    ///< recent instants; older ones weigh under 1 % then
-constexpr std::size_t kForGain = 128;    ///< intervals
+constexpr double kLeastGain = 0.2;      ///< about as good as a mean of the last 9
+constexpr std::size_t kForPhase = 24;   ///< recent instants; older ones weigh under 1 % then
+constexpr std::size_t kForGain = 128;   ///< intervals
 constexpr double kSteadiness = 0.01;    ///< of an interval, in which steady ones agree
 constexpr int kSteadyIntervals = 12;  ///< of the last 16, to tell a new rate from a loaded machine
 
@@ -74,8 +74,7 @@ void RefreshMeter::add(Instant onset) {
 void RefreshMeter::start_run(Instant onset) {
   if (size_ > 0 && period_ > 0.0) {
     const auto& latest = recent(0);
-    first_ +=
-        latest.index + std::llround((nanoseconds(onset - origin_) - latest.at) / period_);
+    first_ += latest.index + std::llround((nanoseconds(onset - origin_) - latest.at) / period_);
   }
   origin_ = last_ = onset;
   next_ = size_ = 0;

@@ -93,9 +93,9 @@ class RefreshMeter {
   double period_ = 0.0;     ///< ns
   double intercept_ = 0.0;  ///< fitted instant of index 0, ns since origin_
   double gain_ = 0.2;
-  double spread_ = 0.0;         ///< robust standard deviation about the line, ns
-  std::size_t rejected_ = 0;    ///< of the instants in the window
-  std::int64_t first_ = 0;      ///< number of index 0 since the first refresh measured
+  double spread_ = 0.0;       ///< robust standard deviation about the line, ns
+  std::size_t rejected_ = 0;  ///< of the instants in the window
+  std::int64_t first_ = 0;    ///< number of index 0 since the first refresh measured
   Instant origin_;
   Instant last_;
   RefreshEstimate estimate_;

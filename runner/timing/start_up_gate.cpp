@@ -55,7 +55,8 @@ std::vector<std::string> obstacles(const StartUp& start_up, const Gate& gate) {
     return found;
   }
   if (gate.flips < kFewestFlips) {
-    found.push_back(fmt::format("only {} flips were measured, {} are needed", gate.flips, kFewestFlips));
+    found.push_back(
+        fmt::format("only {} flips were measured, {} are needed", gate.flips, kFewestFlips));
   }
   if (gate.deviation > kLargestDeviation) {
     found.push_back(fmt::format("periods vary by {:.2f} ms (SD), more than {:g}",
@@ -63,7 +64,8 @@ std::vector<std::string> obstacles(const StartUp& start_up, const Gate& gate) {
                                 milliseconds(kLargestDeviation)));
   }
   if (20 * gate.outliers > gate.flips) {
-    found.push_back(fmt::format("{} of {} periods are more than 20 % off", gate.outliers, gate.flips));
+    found.push_back(
+        fmt::format("{} of {} periods are more than 20 % off", gate.outliers, gate.flips));
   }
   const auto off = std::chrono::abs(gate.period - start_up.nominal);
   if (start_up.nominal > Duration::zero() && 5 * off > start_up.nominal) {
@@ -87,7 +89,8 @@ std::vector<std::string> doubts(const StartUp& start_up, const Gate& gate) {
                                 milliseconds(kGoodDeviation)));
   }
   if (100 * gate.outliers > gate.flips) {
-    found.push_back(fmt::format("{} of {} periods are more than 20 % off", gate.outliers, gate.flips));
+    found.push_back(
+        fmt::format("{} of {} periods are more than 20 % off", gate.outliers, gate.flips));
   }
   return found;
 }

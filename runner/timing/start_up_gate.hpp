@@ -40,8 +40,8 @@ struct Gate {
 /// more than 5 % outliers, or a period more than 20 % off the nominal one. Good: at least 100 flips
 /// stamped by the hardware or by a swap that waits for it, without a compositor between, of a
 /// standard deviation of at most 0.1 ms and at most 1 % outliers. (Psychtoolbox refuses to present
-/// unless it has 50 flips with a standard deviation below 0.1 ms within 20 % of the nominal period.)
-/// Everything else is usable.
+/// unless it has 50 flips with a standard deviation below 0.1 ms within 20 % of the nominal
+/// period.) Everything else is usable.
 [[nodiscard]] Gate judge(const StartUp& start_up);
 
 }  // namespace bimodal::runner

@@ -56,9 +56,7 @@ CallbackTimes mirrored(const CallbackTimes& times) {
   return ahead;
 }
 
-ClockPair input_reading(const CallbackTimes& times,
-                        bool stream_times_plausible,
-                        Duration latency) {
+ClockPair input_reading(const CallbackTimes& times, bool stream_times_plausible, Duration latency) {
   const auto ahead = output_reading(mirrored(times), stream_times_plausible, latency);
   return {times.sample, times.entry - (ahead.instant - times.entry)};
 }

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "protocols/reading/read_protocol.hpp"
-#include "runner/booth/session_loop.hpp"
+#include "runner/booth/participant_screens.hpp"
 #include "runner/devices/device_error.hpp"
 #include "runner/devices/sdl/screen_painter.hpp"
 #include "runner/devices/sdl/sdl_window.hpp"

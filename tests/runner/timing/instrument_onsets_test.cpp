@@ -33,7 +33,8 @@ TEST(OnsetOfLight, IsFoundInNoiseWhateverItsPlaceAndDirection) {
   for (int round = 0; round < 300; ++round) {
     auto signal = noise(2000, 0.01, random);
     const auto at = 400 + random.below(1000);
-    const float step = (random.below(2) == 0 ? 1.0F : -1.0F) * (0.2F + static_cast<float>(random.uniform()));
+    const float step =
+        (random.below(2) == 0 ? 1.0F : -1.0F) * (0.2F + static_cast<float>(random.uniform()));
     for (std::size_t i = at; i < signal.size(); ++i) signal[i] += step;
     const auto found = onset_of_light(signal, 300, 50);
     ASSERT_TRUE(found);

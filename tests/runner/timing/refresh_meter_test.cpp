@@ -164,7 +164,8 @@ double prediction_error(int ahead, Duration jitter, Stamp stamp) {
       if (k < 200) continue;
       const auto then = instants[static_cast<std::size_t>(k + ahead)];
       const auto off = nearest_refresh(meter.estimate(), then) - then;
-      squares += std::pow(static_cast<double>(off.count()) / static_cast<double>(jitter.count()), 2);
+      squares +=
+          std::pow(static_cast<double>(off.count()) / static_cast<double>(jitter.count()), 2);
       ++count;
     }
   }
@@ -179,7 +180,8 @@ Duration noise(Duration jitter, Random& random) {
 
 TEST(RefreshMeter, FollowsAGridThatWandersByItsLastInstant) {
   // A timer that counts each period from the last refresh: the best prediction two refreshes ahead
-  // from the last instant has an error of sqrt(2) times the jitter, and a little more for the period.
+  // from the last instant has an error of sqrt(2) times the jitter, and a little more for the
+  // period.
   const auto wandering = [](int k, const std::vector<Instant>& before, Random& random) {
     return k == 0 ? kStart : before.back() + kPeriod + noise(100us, random);
   };

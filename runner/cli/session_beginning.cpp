@@ -1,0 +1,44 @@
+#include "runner/cli/session_beginning.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace bimodal::runner {
+
+namespace {
+
+/// By what a session goes on: it may have been another machine before.
+std::string resumed_text(const SessionRecord& record) {
+  return fmt::format("by a new process of version {}, {}; screen: {} ({}); sound: {}",
+                     record.program_version,
+                     record.started_utc,
+                     record.display.description,
+                     record.timing ? record.timing->verdict : "not judged",
+                     record.audio.description);
+}
+
+}  // namespace
+
+std::int64_t begin_in(SessionStore& store, const Beginning& beginning) {
+  const auto note = [&](std::int64_t id, const char* kind, std::string detail) {
+    store.add(id, EventRecord{beginning.at.time_since_epoch(), kind, std::move(detail)});
+  };
+  if (beginning.resumption) {
+    const auto id = beginning.resumption->session;
+    store.reopen(id);
+    note(id, "resumed", resumed_text(beginning.record));
+    return id;
+  }
+  const auto id = store.begin(beginning.record, beginning.plan);
+  if (beginning.is_shortened) {
+    const auto trials = beginning.plan.size();
+    note(id, "shortened", fmt::format("{} trials by --trials or --no-practice", trials));
+  }
+  if (!beginning.left_out.empty()) {
+    note(id, "no_triggers", beginning.left_out + " left out by --no-triggers");
+  }
+  return id;
+}
+
+}  // namespace bimodal::runner
