@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "protocols/model/face.hpp"
+#include "protocols/model/response.hpp"
+#include "protocols/model/timing.hpp"
 #include "protocols/model/triggers.hpp"
 #include "stimuli/base/quantity.hpp"
 #include "stimuli/base/random.hpp"
@@ -116,13 +118,6 @@ struct Breaks {
   std::string text;
 };
 
-/// A typed answer.
-struct Response {
-  std::string prompt = "Which word was it?";
-  std::optional<Duration> time_limit;  ///< from stimulus offset; absent: the participant decides
-  int longest = 40;                    ///< characters
-};
-
 struct Intervals {
   Duration fixation = std::chrono::milliseconds{500};  ///< fixation mark before the stimulus
   Duration lead = std::chrono::milliseconds{500};      ///< still face before the recording begins
@@ -163,6 +158,7 @@ struct Protocol {
   Intervals intervals;
   Sound sound;
   Window window;
+  Timing timing;
   Triggers triggers;
   Face face;  ///< the synthetic face, where conditions do not say otherwise
   std::string farewell;

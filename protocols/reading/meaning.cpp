@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "protocols/model/talker.hpp"
+#include "protocols/reading/judge_response.hpp"
+#include "protocols/reading/judge_timing.hpp"
 #include "protocols/reading/judge_triggers.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/json_text.hpp"
@@ -21,7 +23,6 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t kManyTrials = 200;  ///< about a quarter of an hour without a break
 constexpr Duration kLargeAvOffset = 200ms;
-constexpr Duration kShortTimeLimit = 2s;
 constexpr double kFaceAspect = 8.0 / 9.0;  ///< width to height of the face's picture
 
 double milliseconds(Duration duration) {
@@ -65,11 +66,6 @@ void judge_intervals(const Protocol& protocol, Findings& findings) {
                      fmt::format("sound and face are {} ms apart: most people notice it",
                                  milliseconds(std::chrono::abs(offset))),
                      "if that is meant, never mind");
-  }
-  if (protocol.response.time_limit && *protocol.response.time_limit < kShortTimeLimit) {
-    findings.warning("/response/time_limit_s",
-                     "few people can type a word in less than 2 s",
-                     "allow more time, or write null for no limit");
   }
 }
 
@@ -153,18 +149,6 @@ void judge_lists(const Protocol& protocol, std::size_t words, Findings& findings
   }
 }
 
-void judge_answers(const Protocol& protocol, const std::vector<Word>& words, Findings& findings) {
-  if (findings.faulty("/response")) return;
-  const auto longest =
-      std::ranges::max_element(words, {}, [](const Word& word) { return word.spelling.size(); });
-  if (static_cast<std::size_t>(protocol.response.longest) >= longest->spelling.size()) return;
-  findings.error("/response/longest",
-                 fmt::format("{} characters are too few to type {}",
-                             protocol.response.longest,
-                             shown(longest->spelling)),
-                 "raise it");
-}
-
 void judge_practice(const Protocol& protocol,
                     const std::vector<Word>& words,
                     const std::vector<Word>& practice,
@@ -199,9 +183,10 @@ void judge_meaning(const Protocol& protocol,
   judge_intervals(protocol, findings);
   judge_window(protocol, findings);
   judge_face(protocol, findings);
+  judge_response(protocol, words, findings);
+  judge_timing(protocol, findings);
   judge_triggers(protocol, findings);
   if (words.empty()) return;
-  judge_answers(protocol, words, findings);
   judge_breaks(protocol, words.size(), findings);
   if (findings.faulty("/words") || findings.faulty("/conditions")) return;
   judge_lists(protocol, words.size(), findings);

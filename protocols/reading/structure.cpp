@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "protocols/reading/read_condition.hpp"
+#include "protocols/reading/read_response.hpp"
 #include "protocols/reading/read_sound.hpp"
+#include "protocols/reading/read_timing.hpp"
 #include "protocols/reading/read_triggers.hpp"
 #include "stimuli/base/json_text.hpp"
 #include "stimuli/base/lower_case.hpp"
@@ -25,7 +27,6 @@ constexpr std::size_t kMostWords = 10'000;
 constexpr NumberRule kSeconds{0, 60, "a time in seconds, e.g. 0.5"};
 
 constexpr std::array<std::string_view, 2> kAssignments{"once", "every-condition"};
-constexpr std::array<std::string_view, 1> kResponseKinds{"typed"};
 constexpr std::array<std::string_view, 3> kFaceQualities{"auto", "fast", "full"};
 
 /// Replaces a default by what was read, if anything was.
@@ -149,22 +150,6 @@ void read_breaks(ObjectReader& parent, Breaks& breaks) {
   reader->refuse_unknown_keys();
 }
 
-void read_response(ObjectReader& parent, Response& response) {
-  auto reader = parent.object("response");
-  if (!reader) return;
-  static_cast<void>(reader->choice("kind", kResponseKinds));
-  take(response.prompt,
-       reader->text("prompt", {.longest = 200, .meaning = "a question of one line"}));
-  const auto* limit = reader->find("time_limit_s");
-  if (limit != nullptr && !limit->is_null()) {
-    response.time_limit = reader->time(
-        "time_limit_s", 1s, {0.1, 600, "a time in seconds, e.g. 10, or null for no limit"});
-  }
-  take_whole(response.longest,
-             reader->whole("longest", {1, 200, "the most characters of an answer, e.g. 40"}));
-  reader->refuse_unknown_keys();
-}
-
 void read_intervals(ObjectReader& parent, Intervals& intervals) {
   auto reader = parent.object("intervals");
   if (!reader) return;
@@ -250,10 +235,11 @@ Structure read_structure(const Json& json, const FaceReader& faces, Findings& fi
   structure.practice = read_practice(reader, findings);
   if (structure.practice) protocol.practice.list = structure.practice->list;
   read_breaks(reader, protocol.breaks);
-  read_response(reader, protocol.response);
+  protocol.response = read_response(reader, findings);
   read_intervals(reader, protocol.intervals);
   read_sound(reader, protocol.sound, findings);
   read_window(reader, protocol.window, findings);
+  protocol.timing = read_timing(reader);
   protocol.triggers = read_triggers(reader, findings);
   reader.refuse_unknown_keys();
   return structure;

@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <exception>
 #include <future>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "runner/booth/answering.hpp"
 #include "runner/booth/participant_screens.hpp"
 #include "runner/booth/pause.hpp"
 #include "runner/booth/progress_teller.hpp"
+#include "runner/booth/refresh_watch.hpp"
 #include "runner/booth/stop_question.hpp"
 #include "runner/booth/trial_presentation.hpp"
 #include "runner/devices/device_error.hpp"
+#include "runner/session/repetitions.hpp"
 #include "runner/session/session_steps.hpp"
 #include "runner/session/trial_machine.hpp"
 #include "stimuli/base/error.hpp"
@@ -21,29 +25,8 @@ namespace bimodal::runner {
 
 namespace {
 
-/// Before the first trial the display must have been watched for this many refreshes.
-constexpr int kRefreshesWatched = 100;
-
-/// But no longer than this, for a display may stop telling.
-constexpr int kMostWatched = 300;
-
-/// How long to wait for the word of the lines to other equipment on what became of signals.
-constexpr Duration kTriggerPatience = std::chrono::milliseconds{300};
-
 Duration since_zero(Instant at) {
   return at.time_since_epoch();
-}
-
-KeystrokeRecord record_of(const Keystroke& stroke) {
-  KeystrokeRecord record{.at = since_zero(stroke.at),
-                         .source = std::string{stroke.source},
-                         .key = label(stroke),
-                         .uncertainty = stroke.uncertainty};
-  if (stroke.key == Key::Pointer) {
-    record.x = stroke.x;
-    record.y = stroke.y;
-  }
-  return record;
 }
 
 class SessionLoop {
@@ -52,18 +35,17 @@ class SessionLoop {
       : parts_{parts},
         booth_{parts.booth},
         triggers_{parts.protocol.triggers, parts.booth.trigger_lines},
-        oversight_{parts.overseer, parts.interrupted, parts.booth.clock} {}
+        oversight_{parts.overseer, parts.interrupted, parts.booth.clock},
+        repetitions_{parts.protocol.timing, first_repetition(parts)} {}
 
   SessionOutcome run() {
     const auto steps = session_steps(parts_.protocol, parts_.plan);
-    for (const auto& step : steps_left(steps, parts_.done, "We go on where we stopped.")) {
-      const bool go_on = std::holds_alternative<PageStep>(step)
-                             ? show_page(std::get<PageStep>(step))
-                             : run_trial(std::get<TrialStep>(step));
-      if (!go_on) break;
-    }
-    outcome_.complete =
-        parts_.done.size() + static_cast<std::size_t>(outcome_.trials) == parts_.plan.size();
+    const auto left = steps_left(steps, parts_.done, "We go on where we stopped.");
+    const bool stopped =
+        !std::ranges::all_of(left, [this](const SessionStep& step) { return take(step); });
+    if (!stopped) static_cast<void>(repeat_flagged());
+    const auto stored = parts_.done.size() + static_cast<std::size_t>(outcome_.trials);
+    outcome_.complete = stored == parts_.plan.size() && !repetitions_.pending();
     teller_.ended(outcome_.complete ? "complete" : "stopped");
     return outcome_;
   }
@@ -115,42 +97,90 @@ class SessionLoop {
     if (parts_.answer) booth_.keyboard.expect("", booth_.clock.now());
   }
 
+  /// False if the session is to be stopped. A block is over when a page comes.
+  bool take(const SessionStep& step) {
+    if (const auto* const page = std::get_if<PageStep>(&step)) {
+      return repeat_flagged() && show_page(*page);
+    }
+    return run_trial(std::get<TrialStep>(step));
+  }
+
   bool run_trial(const TrialStep& step) {
     const auto& planned = parts_.plan.at(step.trial);
     if (!take_requests()) return false;
     tell_state(planned, TrialState::Preparing);
     if (!await_preparation(step.progress)) return false;
-    const PreparedTrial trial = parts_.trials.next();
+    auto trial = parts_.trials.next();
     begin_once();  // after preparing: of a session that cannot be prepared nothing is stored
+    progress_ = step.progress;
+    parts_.announce(fmt::format(
+        "trial {} of {}: {}", planned.index + 1, parts_.plan.size(), condition_of(planned)));
+    const auto end = carry_out(planned, trial);
+    outcome_.trials += end.stored ? 1 : 0;
+    if (end.stored && repetitions_.note(planned, end.flagged)) {
+      kept_.emplace(planned.index, std::move(trial));
+    }
+    return end.goes_on;
+  }
+
+  /// At the end of a block: presents again what the protocol wants to be. False if the session is
+  /// to be stopped.
+  bool repeat_flagged() {
+    while (const auto repetition = repetitions_.next()) {
+      if (!take_requests() || !repeat(*repetition)) return false;
+    }
+    kept_.clear();
+    return true;
+  }
+
+  bool repeat(const Repetition& repetition) {
+    const auto& original = parts_.plan.at(repetition.original);
+    auto planned = original;
+    planned.index = repetition.number;
+    auto record = parts_.plan_record(planned);
+    record.repeats = static_cast<int>(original.index);
+    parts_.store.add(*outcome_.session, std::move(record)).get();
+    parts_.announce(fmt::format("trial {} again, its timing was not as planned: {}",
+                                original.index + 1,
+                                condition_of(planned)));
+    const auto end = carry_out(planned, kept_.at(original.index));
+    if (!end.stored) return false;
+    ++outcome_.repeated;
+    repetitions_.finish();
+    repetitions_.note(original, end.flagged);
+    return end.goes_on;
+  }
+
+  /// How a trial ended.
+  struct TrialEnd {
+    bool stored = false;
+    bool flagged = false;
+    bool goes_on = false;  ///< false: the session is to be stopped
+  };
+
+  TrialEnd carry_out(const protocols::PlannedTrial& planned, const PreparedTrial& trial) {
     TrialRecord record;
     record.trial = static_cast<int>(planned.index);
     record.sound = trial.sound_record;
     record.recordings = trial.recordings;
-    TrialMachine machine{
-        {.fixation = parts_.protocol.intervals.fixation,
-         .time_limit = parts_.protocol.response.time_limit,
-         .longest_answer = static_cast<std::size_t>(parts_.protocol.response.longest)}};
-    parts_.announce(fmt::format("trial {} of {}: {}",
-                                planned.index + 1,
-                                parts_.plan.size(),
-                                parts_.protocol.conditions.at(planned.condition).name));
-    triggers_.begin(record.trial, parts_.protocol.conditions.at(planned.condition).name);
+    TrialMachine machine{trial_rules(parts_.protocol, question_)};
+    triggers_.begin(record.trial, condition_of(planned));
     tell_state(planned, TrialState::Fixation);
     parts_.trials.hold();
-    static_cast<void>(present_trial(booth_, trial, machine, triggers_, record, [&] {
+    const auto at_end = present_trial(booth_, trial, machine, triggers_, record, [&] {
       tell_state(planned, TrialState::Presenting);
-    }));
+    });
     parts_.trials.release();
     tell_state(planned, TrialState::Responding);
     const auto underflows = trial.sound ? booth_.audio.playback().underflows : 0;
     if (parts_.answer) booth_.keyboard.expect(parts_.answer(planned), booth_.clock.now());
-    const bool go_on = collect_answer(machine, step.progress, record);
-    if (!go_on) {
+    if (!collect_answer(booth_, oversight_, question_, progress_, machine, at_end, record)) {
       store_event("stopped", fmt::format("in trial {}, presented but not answered", planned.index));
-      return false;
+      return {};
     }
-    finish_triggers(record);
-    ++outcome_.trials;
+    finish_triggers(booth_, machine, triggers_, record);
+    record.excluded = record.flagged && parts_.protocol.timing.flagged != protocols::Flagged::Keep;
+    TrialEnd end{.stored = true, .flagged = record.flagged};
     outcome_.flagged += record.flagged ? 1 : 0;
     teller_.answered(planned, record, underflows);
     if (std::ranges::find(record.events, "screen_silent", &EventRecord::kind) !=
@@ -158,57 +188,9 @@ class SessionLoop {
       oversight_.ask_for_pause(
           "the screen reports nothing: it may be asleep, or its window hidden");
     }
-    const bool stays = pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
-    teller_.stored(parts_.plan.size());
-    return stays;
-  }
-
-  /// False if the session is to be stopped; the unfinished trial is then not stored.
-  bool collect_answer(TrialMachine& machine, double progress, TrialRecord& record) {
-    while (true) {
-      if (oversight_.stop_asked()) return false;
-      show_answer(machine, progress);
-      for (const auto& stroke : booth_.keyboard.poll()) {
-        if (machine.phase() == TrialMachine::Phase::Responding) {
-          record.keystrokes.push_back(record_of(stroke));
-        }
-        for (const auto& command : machine.on(stroke)) {
-          if (std::holds_alternative<StopSession>(command)) return false;
-          if (take_response(command, record)) return true;
-        }
-      }
-      for (const auto& command : machine.on(Tick{booth_.clock.now()})) {
-        if (take_response(command, record)) return true;
-      }
-    }
-  }
-
-  void show_answer(const TrialMachine& machine, double progress) {
-    const bool confirming = machine.phase() == TrialMachine::Phase::Confirming;
-    auto screen = confirming ? stop_question()
-                             : answer_screen(parts_.protocol.response.prompt, machine.answer());
-    screen.progress = progress;
-    present(screen);
-  }
-
-  /// Tells of the answer; the blank that follows it has begun when all lines have reported.
-  void finish_triggers(TrialRecord& record) {
-    if (!record.response.timed_out) {
-      triggers_.send(protocols::TriggerEvent::Response, Instant{record.response.submitted});
-    }
-    const auto latest = booth_.clock.now() + kTriggerPatience;
-    while (!triggers_.settled() && booth_.clock.now() < latest) present({});
-    triggers_.finish(record, booth_.clock.now());
-  }
-
-  static bool take_response(const TrialCommand& command, TrialRecord& record) {
-    const auto* const response = std::get_if<RecordResponse>(&command);
-    if (response == nullptr) return false;
-    record.response = {.text = response->text,
-                       .submitted = since_zero(response->submitted),
-                       .timed_out = response->timed_out};
-    if (response->first_key) record.response.first_key = since_zero(*response->first_key);
-    return true;
+    end.goes_on = pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
+    teller_.stored(trials_planned());
+    return end;
   }
 
   /// The blank between trials, at least until the data are on the disk. False if the session is to
@@ -225,16 +207,9 @@ class SessionLoop {
     return !stop;
   }
 
-  void discard_keystrokes() { static_cast<void>(booth_.keyboard.poll()); }
-
   void begin_once() {
     if (outcome_.session) return;
-    const bool measures = booth_.display.time_source() != TimeSource::Predicted;
-    for (int more = 0; measures && more < kMostWatched; ++more) {
-      if (booth_.display.refresh().count >= kRefreshesWatched || oversight_.stop_asked()) break;
-      present({});
-      discard_keystrokes();
-    }
+    watch_refreshes(booth_, oversight_);
     outcome_.session = parts_.begin(booth_.display.refresh());
   }
 
@@ -280,7 +255,20 @@ class SessionLoop {
   }
 
   void tell_state(const protocols::PlannedTrial& trial, TrialState state) {
-    teller_.reached(trial, parts_.plan.size(), state);
+    teller_.reached(trial, trials_planned(), state);
+  }
+
+  /// By now, repetitions included.
+  [[nodiscard]] std::size_t trials_planned() const {
+    return first_repetition(parts_) + repetitions_.scheduled();
+  }
+
+  [[nodiscard]] const std::string& condition_of(const protocols::PlannedTrial& trial) const {
+    return parts_.protocol.conditions.at(trial.condition).name;
+  }
+
+  static std::size_t first_repetition(const SessionParts& parts) {
+    return std::max(parts.plan.size(), parts.first_repetition);
   }
 
   const SessionParts& parts_;
@@ -288,6 +276,10 @@ class SessionLoop {
   TriggerLog triggers_;
   Oversight oversight_;
   ProgressTeller teller_{booth_, oversight_};
+  Question question_{question_of(parts_.protocol)};
+  Repetitions repetitions_;
+  std::map<std::size_t, PreparedTrial> kept_;  ///< to be repeated, by the original's index
+  double progress_ = 0.0;                      ///< part of the main trials done
   SessionOutcome outcome_;
 };
 

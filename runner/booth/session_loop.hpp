@@ -20,8 +20,9 @@ namespace bimodal::runner {
 struct SessionOutcome {
   std::optional<std::int64_t> session;  ///< the store's number; absent if it ended before any trial
   bool complete = false;                ///< false: stopped by the experimenter
-  int trials = 0;                       ///< stored
-  int flagged = 0;                      ///< of these, with timing other than planned
+  int trials = 0;                       ///< of the plan, stored
+  int repeated = 0;                     ///< stored beside them: trials that were presented again
+  int flagged = 0;                      ///< of all these, with timing other than planned
 };
 
 /// What the loop borrows.
@@ -36,9 +37,16 @@ struct SessionParts {
   /// refresh; returns the store's number of the session. Called once, before the first trial.
   std::function<std::int64_t(const RefreshEstimate&)> begin;
 
+  /// What is stored of a planned trial; asked for where one is repeated.
+  std::function<PlanRecord(const protocols::PlannedTrial&)> plan_record;
+
   /// The trials (indices into the plan) that an earlier part of this session has stored; `trials`
   /// gives the others only.
   std::set<std::size_t> done{};
+
+  /// The number of the first trial that repeats another: an earlier part of this session may have
+  /// had some. Meant if it is above the number of trials in the plan.
+  std::size_t first_repetition = 0;
 
   /// The answer of a simulated participant; empty function: a person answers.
   std::function<std::string(const protocols::PlannedTrial&)> answer;

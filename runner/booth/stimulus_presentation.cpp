@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "runner/booth/clock_records.hpp"
+#include "runner/booth/keystroke_record.hpp"
 #include "runner/booth/patch.hpp"
 #include "runner/booth/shown_refreshes.hpp"
 #include "runner/devices/device_error.hpp"
@@ -27,27 +29,12 @@ double milliseconds(Duration duration) {
 /// A sound that begins this much later than planned flags its trial.
 constexpr Duration kSoundTolerance = 2ms;
 
-/// An audio-visual offset that differs from the intended one by more flags its trial.
-constexpr Duration kOffsetTolerance = 4ms;
-
 /// How long to wait for the device's word on when the sound began.
 constexpr Duration kReportPatience = 500ms;
 
 Picture picture_of(const Film& film, std::size_t number) {
   const auto& image = *film.pictures[number];
   return {.width = image.width, .height = image.height, .pixels = image.pixels};
-}
-
-ClockMapRecord record_of(std::string clock, std::string_view source, const DeviceClock& of) {
-  return {.clock = std::move(clock),
-          .source = std::string{source},
-          .at = since_zero(of.fit.instant),
-          .device_at = of.fit.sample,
-          .nanoseconds_per_unit = of.fit.nanoseconds_per_sample,
-          .residual = of.fit.residual,
-          .readings = static_cast<std::int64_t>(of.fit.count),
-          .rejected = static_cast<std::int64_t>(of.fit.rejected),
-          .jumps = of.jumps};
 }
 
 /// How long nothing is heard after the sound has begun.
@@ -82,9 +69,7 @@ class StimulusLoop {
       if (due >= cues_.end()) break;
       show(due);
       triggers_.follow_sound(trial_, cues_, booth_);
-      for (const auto& stroke : booth_.keyboard.poll()) {
-        static_cast<void>(machine_.on(stroke));  // may ask to stop; answered after the stimulus
-      }
+      take_strokes();
     }
     record_.stimulus_start = since_zero(cues_.first_refresh());
     record_.stimulus_end = since_zero(cues_.end());
@@ -98,10 +83,32 @@ class StimulusLoop {
     if (screen_rate_changes() != rate_changes) {
       note("refresh_changed", "the screen has another refresh rate than before");
     }
-    report_clocks();
+    note_clocks(booth_, record_);
   }
 
  private:
+  /// May ask to stop, which is answered after the stimulus, or already be the answer.
+  void take_strokes() {
+    if (!onset_passed_ && booth_.clock.now() >= earlier_zero()) {
+      onset_passed_ = true;
+      static_cast<void>(machine_.on(OnsetPassed{earlier_zero()}));
+    }
+    for (const auto& stroke : booth_.keyboard.poll()) {
+      if (machine_.takes_answer()) record_.keystrokes.push_back(record_of(stroke));
+      for (const auto& command : machine_.on(stroke)) {
+        const auto* const answer = std::get_if<NoteEarlyAnswer>(&command);
+        if (answer != nullptr) triggers_.send(protocols::TriggerEvent::Response, answer->at);
+      }
+    }
+  }
+
+  /// When time zero is to be seen or heard, whichever comes first.
+  [[nodiscard]] Instant earlier_zero() const {
+    const auto seen = trial_.frames > 0 ? cues_.visual_zero() : cues_.auditory_zero();
+    const auto heard = trial_.sound ? cues_.auditory_zero() : cues_.visual_zero();
+    return std::min(seen, heard) + booth_.reference.line_after;
+  }
+
   /// Takes picture and sound along with the screen as long as the sound can still be moved, or
   /// without a sound until time zero was shown.
   void follow_screen() {
@@ -237,20 +244,8 @@ class StimulusLoop {
     const auto seen = reported("visual");
     if (!heard || !seen) return;
     const auto off = *heard - *seen - trial_.layout.av_offset;
-    if (std::chrono::abs(off) <= kOffsetTolerance) return;
+    if (std::chrono::abs(off) <= trial_.offset_tolerance) return;
     note("av_offset", fmt::format("{:+.2f} ms from the intended one", milliseconds(off)));
-  }
-
-  void report_clocks() {
-    if (const auto display = booth_.display.clock()) {
-      record_.clock_maps.push_back(
-          record_of("display", name(booth_.display.time_source()), *display));
-    }
-    if (const auto sound = booth_.audio.clock()) {
-      auto map = record_of("sound", booth_.audio.time_source(), *sound);
-      map.drift_ppm = sound->fit.drift_ppm;
-      record_.clock_maps.push_back(std::move(map));
-    }
   }
 
   void note(std::string kind, std::string detail) {
@@ -269,6 +264,7 @@ class StimulusLoop {
   ShownRefreshes shown_;
   ZeroCue zero_cue_{trial_, cues_};
   Duration silent_head_ = trial_.sound ? silence_of(*trial_.sound) : Duration{};
+  bool onset_passed_ = false;
   bool settled_ = false;  ///< time zero stays where it is
   Screen screen_;
   Picture picture_;

@@ -14,12 +14,12 @@ constexpr Duration kSchedulingMargin = std::chrono::milliseconds{50};
 
 }  // namespace
 
-CueSheet present_trial(const Booth& booth,
-                       const PreparedTrial& trial,
-                       TrialMachine& machine,
-                       TriggerLog& triggers,
-                       TrialRecord& record,
-                       const std::function<void()>& begins) {
+std::vector<TrialCommand> present_trial(const Booth& booth,
+                                        const PreparedTrial& trial,
+                                        TrialMachine& machine,
+                                        TriggerLog& triggers,
+                                        TrialRecord& record,
+                                        const std::function<void()>& begins) {
   Screen fixation;
   fixation.fixation = true;
   const auto shown = booth.display.present(fixation, booth.clock.now());
@@ -39,8 +39,7 @@ CueSheet present_trial(const Booth& booth,
                 std::max(earliest, now + kSchedulingMargin),
                 now + booth.audio.lead_time()};
   present_stimulus(booth, trial, cues, machine, triggers, record);
-  static_cast<void>(machine.on(StimulusEnded{cues.end()}));
-  return cues;
+  return machine.on(StimulusEnded{cues.end()});
 }
 
 }  // namespace bimodal::runner

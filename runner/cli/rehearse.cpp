@@ -55,7 +55,7 @@ int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) 
   const auto plan = shortened_plan(rehearsal.read, key, {.main_trials = rehearsal.options.trials});
   VirtualClock clock;
   SimulatedDisplay display{clock, {.rate = Hertz{rehearsal.options.refresh_hz}}};
-  SimulatedKeyboard keyboard{clock};
+  SimulatedKeyboard keyboard{clock, simulated_typist(protocol)};
   SimulatedAudio audio{clock, protocol.sound.rate};
   TimelessTrials trials{plan, [&rehearsal] {
                           return [&rehearsal](const protocols::PlannedTrial& trial,
@@ -89,7 +89,11 @@ int rehearse_participant(const Rehearsal& rehearsal, protocols::SessionKey key) 
                    .trials = trials,
                    .store = rehearsal.writer,
                    .begin = begin,
-                   .answer = simulated_answers(protocol, key, rehearsal.options.seed)});
+                   .plan_record =
+                       [&](const protocols::PlannedTrial& trial) {
+                         return plan_records(rehearsal.read, {trial}).front();
+                       },
+                   .answer = simulated_answers(rehearsal.read, key, rehearsal.options.seed)});
   if (outcome.session) rehearsal.store.end(*outcome.session, "complete", utc_now());
   return outcome.trials;
 }
@@ -165,10 +169,10 @@ void add_rehearse(CLI::App& app, Verb& chosen) {
       "observers, and stores everything, marked as simulated: to try a protocol and its analysis\n"
       "before anybody is invited. The observers know which phones are confused in a voice at an "
       "S/N\n"
-      "and on a face; a rate, a gate, a reversal, a natural face, what of the face is hidden, "
-      "another word or an ambiguous sound "
-      "that is seen, and an account of coarticulation do not change their "
-      "answers.\n\n"
+      "and on a face, and where answers are chosen they choose among the labels by that; a rate, "
+      "a\n"
+      "gate, a reversal, a natural face, what of the face is hidden, another word or an ambiguous\n"
+      "sound that is seen, and an account of coarticulation do not change their answers.\n\n"
       "Example:\n"
       "  bimodal rehearse words414 --participants 20 --seed 7 --data trial.sqlite");
   auto options = std::make_shared<RehearseOptions>();

@@ -63,7 +63,8 @@ Resumption find_resumption(const std::filesystem::path& data,
              "it was planned otherwise; give the same --trials, --no-practice, --with, --without "
              "and --corpus as then");
     }
-    Resumption resumption{.session = session.id, .done = {}};
+    Resumption resumption{
+        .session = session.id, .done = {}, .next_trial = next_trial(data, session.id)};
     for (const auto& trial : stored.trials) {
       if (!trial.plan.repeats) resumption.done.insert(static_cast<std::size_t>(trial.plan.trial));
     }

@@ -16,6 +16,8 @@ namespace bimodal::runner {
 struct Resumption {
   std::int64_t session = 0;
   std::set<std::size_t> done;  ///< indices into the plan
+  /// The number of the next trial that repeats another: after all that were planned so far.
+  std::size_t next_trial = 0;
 };
 
 /// The last session of this participant with this protocol and session number in `data` that is not

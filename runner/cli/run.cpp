@@ -65,6 +65,7 @@ void report_outcome(const SessionOutcome& outcome,
              outcome.trials,
              plan.size(),
              data);
+  if (outcome.repeated > 0) fmt::print("; {} repeated", outcome.repeated);
   if (outcome.flagged == 0) {
     fmt::print("; timing as planned in all\n");
   } else {
@@ -130,6 +131,7 @@ ExitCode run(const RunOptions& options) {
                                              .simulated_answers = simulated,
                                              .windowed = options.windowed,
                                              .calibration = options.calibration});
+  settle_visual_line(*devices, protocol, read->corpora);
   if (!may_go_on(*devices, options.strict, !simulated)) return ExitCode::Findings;
   const auto level = level_on(*devices->audio, read->protocol.sound);
   tell(level.text);
@@ -187,8 +189,13 @@ ExitCode run(const RunOptions& options) {
       .trials = queue,
       .store = writer,
       .begin = [&](const RefreshEstimate& refresh) { return *(session = begin(refresh)); },
+      .plan_record =
+          [&](const protocols::PlannedTrial& trial) {
+            return plan_records(*read, {trial}).front();
+          },
       .done = done,
-      .answer = simulated ? simulated_answers(protocol, key, protocol.seed) : Answers{},
+      .first_repetition = resumption ? resumption->next_trial : 0,
+      .answer = simulated ? simulated_answers(*read, key, protocol.seed) : Answers{},
       .interrupted = interrupt_asked,
       .announce = tell,
       .overseer = &watched};

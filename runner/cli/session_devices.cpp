@@ -7,9 +7,11 @@
 
 #include "runner/booth/participant_screens.hpp"
 #include "runner/booth/patch.hpp"
+#include "runner/booth/visual_line.hpp"
 #include "runner/cli/calibration.hpp"
 #include "runner/cli/gate_record.hpp"
 #include "runner/cli/session_triggers.hpp"
+#include "runner/cli/simulated_answers.hpp"
 #include "runner/devices/device_error.hpp"
 #include "runner/devices/headless/headless_display.hpp"
 #include "runner/devices/portaudio/portaudio_output.hpp"
@@ -81,7 +83,8 @@ void open_rest(SessionDevices& devices,
                const protocols::Protocol& protocol,
                const DeviceChoice& choice) {
   if (choice.simulated_answers || !devices.window) {
-    devices.keyboard = std::make_unique<SimulatedKeyboard>(devices.clock);
+    devices.keyboard =
+        std::make_unique<SimulatedKeyboard>(devices.clock, simulated_typist(protocol));
   } else {
     devices.keyboard = std::make_unique<SdlKeyboard>(*devices.window, devices.clock);
   }
@@ -162,6 +165,17 @@ std::unique_ptr<SessionDevices> open_session_devices(const protocols::Protocol& 
   open_rest(*devices, protocol, choice);
   settle_timing(*devices, choice);
   return devices;
+}
+
+void settle_visual_line(SessionDevices& devices,
+                        const protocols::Protocol& protocol,
+                        const std::map<std::string, Corpus>& corpora) {
+  if (!devices.timing.calibration.empty()) return;
+  const auto height = devices.window ? devices.window->size().height : protocol.window.height;
+  const auto line = visual_line_of(protocol, corpora, height, devices.display->refresh().period);
+  devices.timing.visual_line = line.name;
+  devices.timing.visual_line_after = line.after;
+  devices.reference.line_after = line.after;
 }
 
 Booth booth_of(SessionDevices& devices) {

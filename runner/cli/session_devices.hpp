@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "runner/devices/triggers/trigger_sender.hpp"
 #include "runner/store/records.hpp"
 #include "runner/timing/start_up_gate.hpp"
+#include "stimuli/corpus/corpus.hpp"
 
 namespace bimodal::runner {
 
@@ -46,6 +48,12 @@ struct SessionDevices {
 /// DeviceError, and Error for a calibration that is missing or of other devices.
 [[nodiscard]] std::unique_ptr<SessionDevices> open_session_devices(
     const protocols::Protocol& protocol, const DeviceChoice& choice);
+
+/// Lets visual onsets refer to the line of the screen that the protocol names, and notes that with
+/// the timing. A calibration by instruments goes before it: it holds where the sensor was.
+void settle_visual_line(SessionDevices& devices,
+                        const protocols::Protocol& protocol,
+                        const std::map<std::string, Corpus>& corpora);
 
 /// As the loop borrows them.
 [[nodiscard]] Booth booth_of(SessionDevices& devices);

@@ -31,11 +31,12 @@ struct Picture {
   std::span<const std::uint8_t> pixels{};
 };
 
-/// A block of text, centred horizontally; '\n' breaks lines and long lines wrap.
+/// A block of text; '\n' breaks lines, which are centred, and long lines wrap.
 struct Caption {
   std::string text;
   double centre_y = 0.5;  ///< of the window's height, from the top
   double size = 0.03;     ///< line height as a part of the window's height
+  double centre_x = 0.5;  ///< of the window's width
 };
 
 /// A coloured disc or box. Places are parts of the window's width (x) and height (y, from the top).

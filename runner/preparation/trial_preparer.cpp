@@ -139,7 +139,8 @@ PreparedTrial TrialPreparer::prepare(const PlannedTrial& trial, const Checkpoint
   PreparedTrial prepared{.plan = trial,
                          .layout = layout_of(condition, enactment),
                          .drawing_rate = drawing_rate_,
-                         .recordings = recordings_of(enactment, condition)};
+                         .recordings = recordings_of(enactment, condition),
+                         .offset_tolerance = protocol_.timing.offset_tolerance};
   if (auto mixed = mix_sound(trial)) {
     const auto clipping = clipping_message(trial, condition.name, *mixed);
     if (!clipping.empty()) throw Error{clipping};

@@ -27,6 +27,9 @@ struct PreparedTrial {
   std::int64_t frames = 0;   ///< of the picture; 0 if nobody is seen
   std::optional<Film> film;  ///< absent also where pictures are not drawn (rehearsal)
   std::vector<RecordingRecord> recordings;  ///< that are heard and seen
+  /// The reported audio-visual offset may differ so much from layout.av_offset before the trial is
+  /// flagged.
+  Duration offset_tolerance = std::chrono::milliseconds{4};
 };
 
 /// Turns planned trials into prepared ones. Belongs to one thread.

@@ -10,38 +10,56 @@ std::vector<TrialCommand> TrialMachine::on(const TrialEvent& event) {
                             phase_ = Phase::Presenting;
                             return {StartStimulus{shown.at + rules_.fixation}};
                           },
-                          [this](const StimulusEnded& ended) -> std::vector<TrialCommand> {
-                            if (phase_ != Phase::Presenting) return {};
-                            phase_ = stop_asked_ ? Phase::Confirming : Phase::Responding;
-                            stimulus_end_ = ended.at;
+                          [this](const OnsetPassed& onset) -> std::vector<TrialCommand> {
+                            if (phase_ == Phase::Presenting && rules_.from_onset) onset_ = onset.at;
                             return {};
                           },
+                          [this](const StimulusEnded& ended) { return on_stimulus_end(ended.at); },
                           [this](const Keystroke& stroke) { return on_keystroke(stroke); },
                           [this](const Tick& tick) -> std::vector<TrialCommand> {
                             if (phase_ != Phase::Responding || !rules_.time_limit) return {};
                             if (tick.at - stimulus_end_ < *rules_.time_limit) return {};
-                            return finish(tick.at, true);
+                            return finish({.text = text(),
+                                           .submitted = tick.at,
+                                           .first_key = first_key_,
+                                           .timed_out = true});
                           }},
                     event);
+}
+
+bool TrialMachine::takes_answer() const {
+  return phase_ == Phase::Responding || (phase_ == Phase::Presenting && onset_ && !early_);
+}
+
+std::vector<TrialCommand> TrialMachine::on_stimulus_end(Instant at) {
+  if (phase_ != Phase::Presenting) return {};
+  stimulus_end_ = at;
+  phase_ = stop_asked_ ? Phase::Confirming : Phase::Responding;
+  if (stop_asked_ || !early_) return {};
+  return finish(*early_);
 }
 
 std::vector<TrialCommand> TrialMachine::on_keystroke(const Keystroke& stroke) {
   switch (phase_) {
     case Phase::AwaitingFixation:
     case Phase::Presenting:
-      stop_asked_ = stop_asked_ || asks_to_stop(stroke);
-      return {};
+      return on_early_key(stroke);
     case Phase::Responding:
       return on_answer_key(stroke);
     case Phase::Confirming:
-      if (stroke.key == Key::Enter) phase_ = Phase::Responding;
-      if (!asks_to_stop(stroke)) return {};
-      phase_ = Phase::Finished;
-      return {StopSession{stroke.at}};
+      return on_confirmation(stroke);
     case Phase::Finished:
       return {};
   }
   return {};
+}
+
+std::vector<TrialCommand> TrialMachine::on_early_key(const Keystroke& stroke) {
+  stop_asked_ = stop_asked_ || asks_to_stop(stroke);
+  const bool counts = takes_answer() && stroke.key != Key::Pointer;
+  if (!counts || !rules_.choice || !choose(stroke)) return {};
+  early_ = response_at(stroke);
+  return {NoteEarlyAnswer{stroke.at}};
 }
 
 std::vector<TrialCommand> TrialMachine::on_answer_key(const Keystroke& stroke) {
@@ -49,18 +67,57 @@ std::vector<TrialCommand> TrialMachine::on_answer_key(const Keystroke& stroke) {
     phase_ = Phase::Confirming;
     return {};
   }
-  if (stroke.key == Key::Enter) return finish(stroke.at, false);
-  if (is_button_press(stroke)) return {};
-  if (stroke.key == Key::Left) return {};  // moves nothing: answers are typed at their end
+  const bool complete = rules_.choice ? choose(stroke) : type(stroke);
+  if (!complete) return {};
+  return finish(response_at(stroke));
+}
+
+std::vector<TrialCommand> TrialMachine::on_confirmation(const Keystroke& stroke) {
+  if (asks_to_stop(stroke)) {
+    phase_ = Phase::Finished;
+    return {StopSession{stroke.at}};
+  }
+  if (stroke.key != Key::Enter) return {};
+  phase_ = Phase::Responding;
+  if (!early_) return {};
+  return finish(*early_);
+}
+
+bool TrialMachine::type(const Keystroke& stroke) {
+  if (stroke.key == Key::Enter) return true;
+  if (is_button_press(stroke)) return false;
+  if (stroke.key == Key::Left) return false;  // moves nothing: answers are typed at their end
   if (!first_key_) first_key_ = stroke.at;
   if (stroke.key == Key::Backspace) entry_.erase();
   if (stroke.key == Key::Text) entry_.type(stroke.text);
-  return {};
+  return false;
 }
 
-std::vector<TrialCommand> TrialMachine::finish(Instant at, bool timed_out) {
+bool TrialMachine::choose(const Keystroke& stroke) {
+  const auto& choice = *rules_.choice;
+  if (stroke.key == Key::Enter) return choice.confirm && chosen_.has_value();
+  const auto option = option_of(choice, stroke);
+  if (!option || stroke.at < onset_.value_or(stimulus_end_)) return false;
+  if (!first_key_) first_key_ = stroke.at;
+  chosen_ = option;
+  return !choice.confirm;
+}
+
+RecordResponse TrialMachine::response_at(const Keystroke& stroke) const {
+  return {.text = text(),
+          .submitted = stroke.at,
+          .first_key = first_key_,
+          .uncertainty = stroke.uncertainty};
+}
+
+std::string TrialMachine::text() const {
+  if (!rules_.choice) return entry_.text();
+  return chosen_ ? rules_.choice->options.at(*chosen_).label : std::string{};
+}
+
+std::vector<TrialCommand> TrialMachine::finish(RecordResponse response) {
   phase_ = Phase::Finished;
-  return {RecordResponse{entry_.text(), at, first_key_, timed_out}};
+  return {std::move(response)};
 }
 
 }  // namespace bimodal::runner

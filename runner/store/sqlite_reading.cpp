@@ -256,6 +256,14 @@ std::vector<PlanRecord> read_plan(const std::filesystem::path& file, std::int64_
   return plan;
 }
 
+std::size_t next_trial(const std::filesystem::path& file, std::int64_t session) {
+  Database database{file, Database::Access::Read};
+  check_schema(database, file.string());
+  Statement row{database, "SELECT coalesce(max(trial), -1) + 1 FROM plan WHERE session = ?"};
+  row.bind(session);
+  return row.step() ? static_cast<std::size_t>(row.integer(0)) : 0;
+}
+
 std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Detail detail) {
   Database database{file, Database::Access::Read};
   check_schema(database, file.string());

@@ -34,4 +34,8 @@ enum class Detail { Responses, Everything };
 [[nodiscard]] std::vector<PlanRecord> read_plan(const std::filesystem::path& file,
                                                 std::int64_t session);
 
+/// The number that a trial gets that is added to the plan of one session: one above the highest,
+/// repetitions included, whether they took place or not. Throws StoreError.
+[[nodiscard]] std::size_t next_trial(const std::filesystem::path& file, std::int64_t session);
+
 }  // namespace bimodal::runner

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
 
 #include "synth/render/camera.hpp"
 
@@ -29,6 +30,11 @@ std::optional<VisualAngles> angles_at_camera(const View& view) {
   if (view.projection == Projection::Orthographic) return std::nullopt;
   return VisualAngles{.picture_deg = angle_deg(view.field_mm, view.distance_mm),
                       .lip_millimetre_deg = angle_deg(1.0, depth_of_lips(view))};
+}
+
+double lips_height(const View& view) {
+  const auto place = camera_for(view).clip_from_world * glm::vec4{kRestingLips, 1.0F};
+  return 0.5 + 0.5 * static_cast<double>(place.y / place.w);
 }
 
 VisualAngles angles_on(const Screen& screen, const View& view) {

@@ -38,6 +38,10 @@ struct VisualAngles {
 /// For an eye at the camera; absent where lines of sight are parallel.
 [[nodiscard]] std::optional<VisualAngles> angles_at_camera(const View& view);
 
+/// Where the resting lips meet: a part of the picture's height, from its top. Beyond 0 to 1: the
+/// picture does not show them.
+[[nodiscard]] double lips_height(const View& view);
+
 /// How a participant sees the picture.
 struct Screen {
   double viewing_distance_mm = 600.0;

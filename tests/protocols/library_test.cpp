@@ -123,6 +123,13 @@ TEST(BaWa, DubsNineStepsOntoTwoSyllables) {
   }
 }
 
+TEST(BaWa, AsksForOneOfTwoKeysAndTimesThemFromTheSound) {
+  const auto response = read_protocol(asset("protocols/library/ba-wa.json"), {}).protocol.response;
+  EXPECT_EQ(response.kind, ResponseKind::Choice);
+  EXPECT_EQ(response.rt_from, RtFrom::SoundOnset);
+  EXPECT_EQ(response.options, (std::vector<Option>{{"ba", "f", 0}, {"wa", "j", 0}}));
+}
+
 // Without sound, so that nothing but what is seen can make the difference.
 TEST(SeenParts, ShowsTheSameWordsWholeByTheLipsAndWithoutTheTongue) {
   const auto read =

@@ -38,14 +38,14 @@ uniform sampler2D coverage;
 out vec4 colour;
 void main() { colour = vec4(ink, texture(coverage, at).r); })";
 
-constexpr std::size_t kKeptCaptions = 64;
-constexpr double kCaptionWidth = 0.86;     ///< of the window's width, then it wraps
-constexpr double kCaptionShrink = 0.9;     ///< per attempt, for a caption higher than the window
-constexpr double kFixationSize = 0.03;     ///< of the window's height
-constexpr int kDiscPixels = 256;           ///< of the texture, scaled to what is wanted
-constexpr double kProgressWidth = 0.4;     ///< of the window's width
-constexpr double kProgressHeight = 0.008;  ///< of the window's height
-constexpr double kProgressPlace = 0.965;   ///< of the window's height, from the top
+constexpr std::size_t kKeptCaptions = 128;  ///< more than any screen has
+constexpr double kCaptionWidth = 0.86;      ///< of the window's width, then it wraps
+constexpr double kCaptionShrink = 0.9;      ///< per attempt, for a caption higher than the window
+constexpr double kFixationSize = 0.03;      ///< of the window's height
+constexpr int kDiscPixels = 256;            ///< of the texture, scaled to what is wanted
+constexpr double kProgressWidth = 0.4;      ///< of the window's width
+constexpr double kProgressHeight = 0.008;   ///< of the window's height
+constexpr double kProgressPlace = 0.965;    ///< of the window's height, from the top
 
 GLuint compiled(GLenum kind, const char* source) {
   const auto shader = glCreateShader(kind);
@@ -263,7 +263,8 @@ void ScreenPainter::draw_caption(const Caption& caption, SdlWindow::Size window)
   const auto& set_caption = set(caption, window);
   if (set_caption.texture == 0) return;
   const auto top = part_of(window.height, caption.centre_y) - set_caption.height / 2;
-  fill({(window.width - set_caption.width) / 2,
+  const auto left = part_of(window.width, caption.centre_x) - set_caption.width / 2;
+  fill({std::clamp(left, 0, std::max(0, window.width - set_caption.width)),
         std::clamp(top, 0, std::max(0, window.height - set_caption.height)),
         set_caption.width,
         set_caption.height},

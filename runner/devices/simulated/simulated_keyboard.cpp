@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -32,14 +33,25 @@ void SimulatedKeyboard::expect(std::string_view answer, Instant from) {
   planned_.clear();
   typed_ = 0;
   auto at = from + options_.first_key;
+  if (const auto choice = options_.choices.find(answer); choice != options_.choices.end()) {
+    plan(choice->second, at);
+    if (options_.confirms_choice) plan({.key = Key::Enter}, at);
+    return;
+  }
   while (!answer.empty()) {
     const auto character = first_character(answer);
-    planned_.push_back(
-        {.key = Key::Text, .text = std::string{character}, .at = at, .source = kSource});
-    at += options_.between_keys;
+    plan({.key = Key::Text, .text = std::string{character}}, at);
     answer.remove_prefix(character.size());
   }
-  planned_.push_back({.key = Key::Enter, .text = {}, .at = at, .source = kSource});
+  plan({.key = Key::Enter}, at);
+}
+
+/// The next stroke comes after it.
+void SimulatedKeyboard::plan(Keystroke stroke, Instant& at) {
+  stroke.at = at;
+  stroke.source = kSource;
+  planned_.push_back(std::move(stroke));
+  at += options_.between_keys;
 }
 
 std::vector<Keystroke> SimulatedKeyboard::poll() {

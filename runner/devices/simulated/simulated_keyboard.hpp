@@ -1,6 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "runner/devices/clock.hpp"
 #include "runner/devices/keyboard.hpp"
@@ -8,12 +12,17 @@
 namespace bimodal::runner {
 
 /// Types expected answers by itself, on whatever clock: the first key comes 600 ms after the answer
-/// was awaited, each further one 120 ms later, then Enter. An empty answer is Enter alone.
+/// was awaited, each further one 120 ms later, then Enter. An empty answer is Enter alone. An
+/// answer that is chosen is one stroke.
 class SimulatedKeyboard final : public Keyboard {
  public:
   struct Options {
     Duration first_key = std::chrono::milliseconds{600};
     Duration between_keys = std::chrono::milliseconds{120};
+    /// Answers that are not typed letter by letter but given by one stroke; the stroke's instant
+    /// and source do not count.
+    std::map<std::string, Keystroke, std::less<>> choices;
+    bool confirms_choice = false;  ///< Enter follows such a stroke
   };
 
   /// `clock` is borrowed and must outlive the keyboard.
@@ -29,6 +38,8 @@ class SimulatedKeyboard final : public Keyboard {
   [[nodiscard]] std::string description() const override;
 
  private:
+  void plan(Keystroke stroke, Instant& at);
+
   const Clock& clock_;  ///< borrowed
   Options options_;
   std::vector<Keystroke> planned_;

@@ -77,6 +77,27 @@ TEST(SimulatedKeyboard, DropsWhatIsLeftOfAnEarlierAnswer) {
   EXPECT_EQ(text_of(keyboard.poll()), "x");
 }
 
+TEST(SimulatedKeyboard, GivesChoicesByTheirStroke) {
+  VirtualClock clock;
+  for (const bool confirms : {false, true}) {
+    SimulatedKeyboard keyboard{
+        clock,
+        {.choices = {{"ba", {.key = Key::Button, .button = 2}}}, .confirms_choice = confirms}};
+    const auto from = clock.now();
+    keyboard.expect("ba", from);
+    clock.advance_by(std::chrono::seconds{1});
+    const auto strokes = keyboard.poll();
+    ASSERT_EQ(strokes.size(), confirms ? 2U : 1U);
+    EXPECT_EQ(strokes[0].key, Key::Button);
+    EXPECT_EQ(strokes[0].button, 2);
+    EXPECT_EQ(strokes[0].at, from + std::chrono::milliseconds{600});
+    EXPECT_EQ(strokes[0].source, "simulated");
+    keyboard.expect("", clock.now());  // a page
+    clock.advance_by(std::chrono::seconds{1});
+    EXPECT_EQ(keyboard.poll().at(0).key, Key::Enter);
+  }
+}
+
 TEST(SimulatedKeyboard, SaysThatNobodyTypes) {
   const VirtualClock clock;
   EXPECT_EQ(SimulatedKeyboard{clock}.description(),

@@ -41,6 +41,7 @@ TEST(TrialMachine, RecordsTheEditedAnswerAndTheFirstKey) {
   EXPECT_EQ(response.submitted, kStart + 1'500ms);
   EXPECT_EQ(response.first_key, kStart + 1'300ms);
   EXPECT_FALSE(response.timed_out);
+  EXPECT_EQ(response.uncertainty, Duration{0});
 }
 
 TEST(TrialMachine, IgnoresClicksAndButtonsWhereAnswersAreTyped) {
@@ -68,6 +69,14 @@ TEST(Keystroke, IsStoredByItsTextItsNameOrItsButtonAndPlace) {
   EXPECT_EQ(label({.key = Key::Pointer, .button = 3, .x = 0.5, .y = 0.25}),
             "Pointer3 0.5000 0.2500");
   EXPECT_EQ(label({.key = Key::Button, .button = 2}), "Button2");
+}
+
+TEST(TrialMachine, KeepsTheUncertaintyOfEnter) {
+  auto trial = responding();
+  static_cast<void>(trial.on(press(Key::Text, kStart + 1'300ms, "b")));
+  auto stroke = press(Key::Enter, kStart + 1'500ms);
+  stroke.uncertainty = 16ms;
+  EXPECT_EQ(std::get<RecordResponse>(trial.on(stroke).at(0)).uncertainty, 16ms);
 }
 
 TEST(TrialMachine, AnEmptyAnswerIsAnOmission) {

@@ -1,0 +1,65 @@
+#include "protocols/reading/judge_response.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "stimuli/base/json_text.hpp"
+
+namespace bimodal::protocols {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kShortTimeLimit = 2s;
+
+void judge_time_limit(const Response& response, Findings& findings) {
+  if (response.kind == ResponseKind::Choice || findings.faulty("/response/time_limit_s")) return;
+  if (!response.time_limit || *response.time_limit >= kShortTimeLimit) return;
+  findings.warning("/response/time_limit_s",
+                   "few people can type a word in less than 2 s",
+                   "allow more time, or write null for no limit");
+}
+
+void judge_length(const Response& response, const std::vector<Word>& words, Findings& findings) {
+  if (words.empty() || response.kind == ResponseKind::Choice) return;
+  if (findings.faulty("/response/longest")) return;
+  const auto longest =
+      std::ranges::max_element(words, {}, [](const Word& word) { return word.spelling.size(); });
+  if (static_cast<std::size_t>(response.longest) >= longest->spelling.size()) return;
+  findings.error(
+      "/response/longest",
+      fmt::format(
+          "{} characters are too few to type {}", response.longest, shown(longest->spelling)),
+      "raise it");
+}
+
+/// Every condition must have what reaction time counts from.
+void judge_reference(const Protocol& protocol, Findings& findings) {
+  const auto from = protocol.response.rt_from;
+  if (from == RtFrom::End || findings.faulty("/conditions")) return;
+  if (findings.faulty("/response/rt_from")) return;
+  const bool from_sound = from == RtFrom::SoundOnset;
+  for (const auto& condition : protocol.conditions) {
+    const auto& talker = from_sound ? condition.auditory_talker : condition.visual_talker;
+    if (talker) continue;
+    findings.error(
+        "/response/rt_from",
+        fmt::format("the condition {} has no {}, from whose onset reaction time could count",
+                    shown(condition.name),
+                    from_sound ? "sound" : "picture"),
+        "count from \"end\", or from what every condition has");
+  }
+}
+
+}  // namespace
+
+void judge_response(const Protocol& protocol, const std::vector<Word>& words, Findings& findings) {
+  if (findings.faulty("/response/kind")) return;
+  judge_time_limit(protocol.response, findings);
+  judge_length(protocol.response, words, findings);
+  judge_reference(protocol, findings);
+}
+
+}  // namespace bimodal::protocols
