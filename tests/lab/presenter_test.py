@@ -1,6 +1,6 @@
 """Measures the presenter from outside, and requires what the project promises about its timing.
 
-    presenter_test.py BIMODAL OBSERVER CLEAR_CLIENT FOLDER [--trials N]
+    presenter_test.py BIMODAL OBSERVER CLEAR_CLIENT FOLDER [--trials N] [--session-trials N]
 
 Prints one line a finding, writes FOLDER/figures.json, and ends with 1 if a promise is broken.
 """
@@ -210,6 +210,7 @@ def main():
     parser.add_argument("clear_client")
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--trials", type=int, default=201)
+    parser.add_argument("--session-trials", type=int, default=81)
     given = parser.parse_args()
     findings = Findings()
     with Laboratory(given.observer, given.folder) as laboratory:
@@ -218,12 +219,13 @@ def main():
         trials, seen = flashes(laboratory, given.bimodal, "flashes", given.trials)
         compared = Compared(trials, seen)
         refreshes = len(compared.frame_errors)
-        # As many as that client misses in as many refreshes, and chance.
+        # As many as that client misses in as many refreshes, and chance; and one in fifty, for a
+        # machine that lends its processors to others.
         expected = missed * refreshes / max(drawn, 1)
-        most = round(expected + 3 * (expected + 1) ** 0.5)
+        most = round(expected + 3 * (expected + 1) ** 0.5) + given.trials // 50
         require_promises(findings, "flashes", compared, most)
 
-        trials, seen = session(laboratory, given.bimodal, given.trials)
+        trials, seen = session(laboratory, given.bimodal, given.session_trials)
         require_promises(findings, "session", Compared(trials, seen, channel=CLICK), most)
 
         trials, seen = flashes(laboratory, given.bimodal, "offset", 21, "--av-offset-ms", "20")

@@ -143,7 +143,8 @@ TEST(CueSheetProperty, HoldsItsPromisesForAnyLayout) {
     ASSERT_GE(cues.sound_onset(), earliest_sound);
     ASSERT_EQ(cues.auditory_zero() - cues.visual_zero(), any.av_offset);
     ASSERT_GE(cues.end(), cues.auditory_zero() + any.recording + any.sound_trail);
-    ASSERT_TRUE(cues.frame_at(cues.first_refresh()).has_value() || any.recording + any.trail == 0ns);
+    ASSERT_TRUE(cues.frame_at(cues.first_refresh()).has_value() ||
+                any.recording + any.trail == 0ns);
   }
 }
 
