@@ -77,16 +77,17 @@ void refuse_repetition(const std::filesystem::path& data,
       continue;
     }
     if (session.participant == participant) {
-      throw Error{fmt::format(
-          "'{}' already has session {} of participant '{}' ({}, {}{}); {}give another --participant, "
-          "--session or --data, or --again to add one more beside it",
-          data.string(),
-          key.session_number,
-          participant,
-          counted(stored.trials.size(), "trial"),
-          stored.outcome.empty() ? "interrupted" : stored.outcome,
-          session.simulated_answers ? ", simulated" : "",
-          stored.outcome == "complete" ? "" : "go on with it by --resume, ")};
+      throw Error{
+          fmt::format("'{}' already has session {} of participant '{}' ({}, {}{}); {}give another "
+                      "--participant, "
+                      "--session or --data, or --again to add one more beside it",
+                      data.string(),
+                      key.session_number,
+                      participant,
+                      counted(stored.trials.size(), "trial"),
+                      stored.outcome.empty() ? "interrupted" : stored.outcome,
+                      session.simulated_answers ? ", simulated" : "",
+                      stored.outcome == "complete" ? "" : "go on with it by --resume, ")};
     }
     if (session.participant_number == key.participant_number &&
         session.simulated_answers == simulated) {

@@ -1,7 +1,6 @@
 #include "runner/devices/audio_output.hpp"
 
 #include <algorithm>
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 

@@ -21,11 +21,11 @@ bool set(int policy) noexcept {
 }  // namespace
 
 RightOfWay::RightOfWay() : granted_{set(SCHED_RR)} {
-  description_ = granted_
-                     ? fmt::format("presented at real-time priority {}", kPriority)
-                     : fmt::format("presented at ordinary priority: a real-time one was refused "
-                                   "({}); see `ulimit -r`",
-                                   std::strerror(errno));
+  description_ = granted_ ? fmt::format("presented at real-time priority {}", kPriority)
+                          : fmt::format(
+                                "presented at ordinary priority: a real-time one was refused "
+                                "({}); see `ulimit -r`",
+                                std::strerror(errno));
 }
 
 void RightOfWay::keep_to_itself() const noexcept {

@@ -20,9 +20,9 @@ class CaptureBuffer {
   /// Of every frame the first `taken` channels are taken.
   explicit CaptureBuffer(std::size_t taken = 1) : taken_{taken} {}
 
-  /// Takes what arrived: frame after frame, `channels` >= taken samples each. A frame is taken whole
-  /// or lost. `overflow`: the device has itself lost frames before these, nobody knows how many;
-  /// counts as one.
+  /// Takes what arrived: frame after frame, `channels` >= taken samples each. A frame is taken
+  /// whole or lost. `overflow`: the device has itself lost frames before these, nobody knows how
+  /// many; counts as one.
   void write(std::span<const float> input, std::size_t channels, bool overflow) noexcept {
     std::int64_t lost = overflow ? 1 : 0;
     for (std::size_t at = 0; at < input.size(); at += channels) {

@@ -23,8 +23,8 @@ struct PortaudioInputOptions {
 [[nodiscard]] std::vector<std::string> describe_microphones();
 
 /// An always-running PortAudio stream, whose callback only puts samples into a buffer of some
-/// seconds, and takes times, to which a clock map from frames to the session clock is fitted on this
-/// side.
+/// seconds, and takes times, to which a clock map from frames to the session clock is fitted on
+/// this side.
 class PortaudioInput final : public AudioInput {
  public:
   /// Opens the stream and waits for its first samples. Throws DeviceError, naming the devices found

@@ -264,7 +264,7 @@ void ScreenPainter::draw_caption(const Caption& caption, SdlWindow::Size window)
   if (set_caption.texture == 0) return;
   const auto top = part_of(window.height, caption.centre_y) - set_caption.height / 2;
   const auto left = part_of(window.width, caption.centre_x) - set_caption.width / 2;
-  fill({std::clamp(left, 0, std::max(0, window.width - set_caption.width)),
+  fill({left,  // lines stand in the middle of a texture that may be as wide as they could be
         std::clamp(top, 0, std::max(0, window.height - set_caption.height)),
         set_caption.width,
         set_caption.height},

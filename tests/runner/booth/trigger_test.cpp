@@ -56,11 +56,8 @@ class TriggerTest : public testing::Test {
 
   CueSheet cues_for(const PreparedTrial& trial) {
     const auto refresh = display_.refresh();
-    return CueSheet{trial.layout,
-                    trial.drawing_rate,
-                    refresh,
-                    clock_.now() + 100ms,
-                    clock_.now() + 100ms};
+    return CueSheet{
+        trial.layout, trial.drawing_rate, refresh, clock_.now() + 100ms, clock_.now() + 100ms};
   }
 
   /// Presents the trial as the session loop does, up to the answer.
