@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "runner/cli/timing_json.hpp"
 #include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
 
@@ -15,15 +16,6 @@ namespace bimodal::runner {
 namespace {
 
 constexpr int kFormat = 1;
-
-nlohmann::ordered_json as_json(const Moments& moments) {
-  return {{"trials", moments.count},
-          {"mean_ms", moments.mean_ms},
-          {"sd_ms", moments.deviation_ms},
-          {"median_ms", moments.median_ms},
-          {"smallest_ms", moments.smallest_ms},
-          {"largest_ms", moments.largest_ms}};
-}
 
 Moments moments_from(const nlohmann::json& json) {
   return {.count = json.at("trials").get<std::size_t>(),

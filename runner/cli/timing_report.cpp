@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "runner/cli/gate_record.hpp"
+#include "runner/cli/timing_json.hpp"
 
 namespace bimodal::runner {
 
@@ -28,14 +28,9 @@ Json as_json(const std::optional<Duration>& at) {
   return at ? Json(at->count()) : Json();
 }
 
-Json as_json(const Moments& moments) {
-  if (moments.count == 0) return nullptr;
-  return {{"trials", moments.count},
-          {"mean_ms", moments.mean_ms},
-          {"sd_ms", moments.deviation_ms},
-          {"median_ms", moments.median_ms},
-          {"smallest_ms", moments.smallest_ms},
-          {"largest_ms", moments.largest_ms}};
+/// Null where nothing was measured.
+Json moments_or_null(const Moments& moments) {
+  return moments.count == 0 ? Json() : as_json(moments);
 }
 
 Json as_json(const TimedTrial& trial) {
@@ -162,10 +157,10 @@ std::string as_json(const TimingFindings& findings) {
             {"summary",
              {{"trials_after_the_first", summary.trials},
               {"flagged", summary.flagged},
-              {"reported_offset", as_json(summary.reported)},
-              {"measured_offset", as_json(summary.measured)},
-              {"visual_measured_minus_reported", as_json(summary.visual)},
-              {"auditory_measured_minus_reported", as_json(summary.auditory)}}},
+              {"reported_offset", moments_or_null(summary.reported)},
+              {"measured_offset", moments_or_null(summary.measured)},
+              {"visual_measured_minus_reported", moments_or_null(summary.visual)},
+              {"auditory_measured_minus_reported", moments_or_null(summary.auditory)}}},
             {"trials", Json::array()}};
   for (const auto& trial : findings.trials) json["trials"].push_back(as_json(trial));
   return json.dump(1) + "\n";
