@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "analysis/report/figures.hpp"
-#include "analysis/report/markup.hpp"
 #include "analysis/report/matrix_text.hpp"
 #include "analysis/report/place_class.hpp"
+#include "stimuli/base/markup.hpp"
 
 namespace bimodal::analysis {
 

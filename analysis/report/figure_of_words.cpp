@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "analysis/report/figures.hpp"
-#include "analysis/report/markup.hpp"
 #include "analysis/report/matrix_text.hpp"
+#include "stimuli/base/markup.hpp"
 
 namespace bimodal::analysis {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/report/markup.hpp"
 #include "analysis/report/page_parts.hpp"
+#include "stimuli/base/markup.hpp"
 
 namespace bimodal::analysis {
 

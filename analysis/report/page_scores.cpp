@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "analysis/report/figures.hpp"
-#include "analysis/report/markup.hpp"
 #include "analysis/report/matrix_text.hpp"
 #include "analysis/report/page_parts.hpp"
+#include "stimuli/base/markup.hpp"
 
 namespace bimodal::analysis {
 

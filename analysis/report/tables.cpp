@@ -9,6 +9,7 @@
 
 #include "analysis/report/columns.hpp"
 #include "analysis/report/csv.hpp"
+#include "stimuli/base/milliseconds.hpp"
 
 namespace bimodal::analysis {
 
@@ -52,7 +53,7 @@ CsvField count(Integer value) {
 
 CsvField milliseconds(const std::optional<Duration>& value) {
   if (!value) return {};
-  return std::chrono::duration<double, std::milli>{*value}.count();
+  return milliseconds(*value);
 }
 
 CsvField answered(const std::optional<UnitScore>& unit) {

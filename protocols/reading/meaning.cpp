@@ -14,6 +14,7 @@
 #include "protocols/reading/judge_triggers.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/base/milliseconds.hpp"
 
 namespace bimodal::protocols {
 
@@ -24,10 +25,6 @@ using namespace std::chrono_literals;
 constexpr std::size_t kManyTrials = 200;  ///< about a quarter of an hour without a break
 constexpr Duration kLargeAvOffset = 200ms;
 constexpr double kFaceAspect = 8.0 / 9.0;  ///< width to height of the face's picture
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 bool any_faulty(const Findings& findings, std::initializer_list<std::string_view> pointers) {
   return std::ranges::any_of(pointers,

@@ -10,6 +10,12 @@ namespace {
 
 using protocols::ResponseKind;
 
+/// How often keys are looked for while what is shown stays.
+constexpr Duration kPollEvery = std::chrono::milliseconds{1};
+
+/// After so long it is shown anew, should the window have lost it.
+constexpr Duration kShowAgainAfter = std::chrono::seconds{5};
+
 /// How long to wait for the word of the lines to other equipment on what became of signals.
 constexpr Duration kTriggerPatience = std::chrono::milliseconds{300};
 
@@ -49,9 +55,14 @@ class AnswerLoop {
         machine_{machine},
         record_{record} {}
 
-  /// One refresh.
+  /// One refresh if there is something new to show, or else a millisecond: what is answered is
+  /// taken at once and need not wait for the screen.
   Answering step() {
-    show();
+    if (!is_shown()) {
+      show();
+    } else {
+      booth_.display.wait(booth_.clock.now() + kPollEvery);
+    }
     for (const auto& stroke : booth_.keyboard.poll()) {
       if (machine_.takes_answer()) record_.keystrokes.push_back(record_of(stroke));
       const auto taken = take(machine_.on(stroke));
@@ -72,10 +83,28 @@ class AnswerLoop {
   }
 
  private:
+  /// What the screen depends on.
+  struct Shown {
+    TrialMachine::Phase phase{};
+    std::string answer;
+    std::optional<std::size_t> chosen;
+
+    bool operator==(const Shown&) const = default;
+  };
+
+  [[nodiscard]] Shown to_be_shown() const {
+    return {machine_.phase(), machine_.answer(), machine_.chosen()};
+  }
+
+  [[nodiscard]] bool is_shown() const {
+    return shown_ == to_be_shown() && booth_.clock.now() - shown_at_ < kShowAgainAfter;
+  }
+
   void show() {
     auto screen = screen_now();
     screen.progress = progress_;
-    static_cast<void>(booth_.display.present(screen, booth_.clock.now()));
+    shown_ = to_be_shown();
+    shown_at_ = booth_.display.present(screen, booth_.clock.now()).onset;
   }
 
   [[nodiscard]] Screen screen_now() const {
@@ -92,6 +121,8 @@ class AnswerLoop {
   double progress_;
   TrialMachine& machine_;
   TrialRecord& record_;
+  std::optional<Shown> shown_;
+  Instant shown_at_;
 };
 
 }  // namespace
@@ -144,6 +175,13 @@ void finish_triggers(const Booth& booth,
     static_cast<void>(booth.display.present({}, booth.clock.now()));
   }
   triggers.finish(record, booth.clock.now());
+}
+
+std::optional<Duration> since_last_stroke(const Booth& booth,
+                                          const TrialMachine& machine,
+                                          const TrialRecord& record) {
+  if (record.response.timed_out || machine.answered_early()) return std::nullopt;
+  return booth.clock.now() - Instant{record.response.submitted};
 }
 
 }  // namespace bimodal::runner

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "protocols/model/protocol.hpp"
@@ -25,8 +26,8 @@ struct Question {
 /// What answers trials of this protocol.
 [[nodiscard]] TrialRules trial_rules(const protocols::Protocol& protocol, const Question& question);
 
-/// After the stimulus: shows the question at every refresh, with `progress` (part of the main
-/// trials done) below it, until the answer is there, and writes it and its keystrokes down in
+/// After the stimulus: shows the question, anew whenever it changes, with `progress` (part of the
+/// main trials done) below it, until the answer is there, and writes it and its keystrokes down in
 /// `record`. `at_end`: what the machine asked for when the stimulus ended; the answer may be in it.
 /// False if the session is to be stopped; the trial is then not answered.
 [[nodiscard]] bool collect_answer(const Booth& booth,
@@ -44,5 +45,11 @@ void finish_triggers(const Booth& booth,
                      const TrialMachine& machine,
                      TriggerLog& triggers,
                      TrialRecord& record);
+
+/// How long ago a stroke ended the answer; absent where time did, or where it came during the
+/// stimulus.
+[[nodiscard]] std::optional<Duration> since_last_stroke(const Booth& booth,
+                                                        const TrialMachine& machine,
+                                                        const TrialRecord& record);
 
 }  // namespace bimodal::runner

@@ -27,7 +27,7 @@ bool Oversight::stop_asked() {
 void Oversight::take(Request request) {
   switch (request) {
     case Request::Pause:
-      if (!pause_asked_) ask_for_pause(kByExperimenter);
+      if (!pause_asked_ || !by_experimenter_) note_wish(kByExperimenter, true);
       break;
     case Request::Resume:
       pause_asked_ = false;
@@ -40,7 +40,12 @@ void Oversight::take(Request request) {
 }
 
 void Oversight::ask_for_pause(const std::string& reason) {
+  if (!pause_asked_) note_wish(reason, false);
+}
+
+void Oversight::note_wish(const std::string& reason, bool by_experimenter) {
   pause_asked_ = true;
+  by_experimenter_ = by_experimenter;
   reason_ = reason;
   tell_pause(paused_ ? PauseChanged::State::Paused : PauseChanged::State::Asked);
 }

@@ -24,8 +24,16 @@ class Oversight {
   /// Whether it is to be paused, or stay so. By what stop_asked() has taken.
   [[nodiscard]] bool pause_asked() const { return pause_asked_; }
 
-  /// A pause of the session's own; it stays until somebody resumes.
+  /// A pause of the session's own, because something went wrong at the participant's place; it
+  /// stays until somebody resumes, there or from outside.
   void ask_for_pause(const std::string& reason);
+
+  /// Whether the present pause may be ended where the participant sits. One that the experimenter
+  /// asked for may not.
+  [[nodiscard]] bool resumes_on_the_spot() const { return pause_asked_ && !by_experimenter_; }
+
+  /// Somebody there has ended it.
+  void resume() { pause_asked_ = false; }
 
   /// Why the pause was asked for.
   [[nodiscard]] const std::string& reason() const { return reason_; }
@@ -36,6 +44,7 @@ class Oversight {
 
  private:
   void take(Request request);
+  void note_wish(const std::string& reason, bool by_experimenter);
   void tell_pause(PauseChanged::State state);
 
   Overseer* overseer_;
@@ -43,6 +52,7 @@ class Oversight {
   const Clock& clock_;
   bool stop_asked_ = false;
   bool pause_asked_ = false;
+  bool by_experimenter_ = false;
   bool paused_ = false;
   std::string reason_;
 };

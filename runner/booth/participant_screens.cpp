@@ -120,6 +120,14 @@ Screen waiting_screen() {
   return screen_of({{.text = "One moment, please ...", .centre_y = 0.45, .size = 0.035}});
 }
 
+Screen trouble_screen() {
+  return screen_of({{.text = "The experiment pauses: something is wrong with the screen.\n"
+                             "Please call the experimenter.",
+                     .centre_y = 0.42,
+                     .size = 0.035},
+                    {.text = "Enter: go on", .centre_y = 0.86, .size = 0.025}});
+}
+
 Screen pause_screen() {
   return screen_of({{.text = "A short pause. Please wait.", .centre_y = 0.45, .size = 0.035}});
 }

@@ -31,7 +31,10 @@ namespace bimodal::runner {
 /// The next trial is not ready.
 [[nodiscard]] Screen waiting_screen();
 
-/// During a pause, whatever its reason.
+/// During a pause because something went wrong here.
+[[nodiscard]] Screen trouble_screen();
+
+/// During a pause that the experimenter asked for.
 [[nodiscard]] Screen pause_screen();
 
 }  // namespace bimodal::runner

@@ -27,6 +27,10 @@ class ProgressTeller {
   void answered(const protocols::PlannedTrial& trial,
                 const TrialRecord& record,
                 std::int64_t underflows);
+
+  /// How long after its last stroke an answer was on the disk.
+  void note_storing(Duration delay) { health_.note_storing(delay); }
+
   void stored(std::size_t of);
 
   /// `outcome`: as in SessionEnded.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "runner/session/progress.hpp"
 #include "runner/store/records.hpp"
 #include "runner/timing/refresh_estimate.hpp"
@@ -13,6 +15,11 @@ class SessionHealth {
   void add(const TrialRecord& trial, Duration period, std::int64_t underflows);
 
   void note_lost_sound() { health_.sound_lost = true; }
+
+  /// How long after its last stroke an answer was on the disk.
+  void note_storing(Duration delay) {
+    health_.longest_storing = std::max(health_.longest_storing, delay);
+  }
 
   [[nodiscard]] Health at(Instant instant, const RefreshEstimate& refresh) const;
 

@@ -188,22 +188,29 @@ class SessionLoop {
       oversight_.ask_for_pause(
           "the screen reports nothing: it may be asleep, or its window hidden");
     }
-    end.goes_on = pause_until_stored(parts_.store.add(*outcome_.session, std::move(record)));
+    const auto since = since_last_stroke(booth_, machine, record);
+    auto stored = parts_.store.add(*outcome_.session, std::move(record));
+    end.goes_on = pause_until(stored);
+    const auto committed = stored.get();
+    if (!end.goes_on) store_event("stopped", "between trials");
+    if (since) {
+      outcome_.storing.push_back(*since + committed);
+      teller_.note_storing(outcome_.storing.back());
+    }
     teller_.stored(trials_planned());
     return end;
   }
 
   /// The blank between trials, at least until the data are on the disk. False if the session is to
   /// be stopped.
-  bool pause_until_stored(std::future<void> stored) {
+  bool pause_until(const std::future<Duration>& stored) {
     const auto end = booth_.clock.now() + parts_.protocol.intervals.pause;
     bool stop = false;
     while (!stop && booth_.clock.now() < end) {
       present({});
       stop = stop_is_meant(booth_, oversight_);
     }
-    stored.get();
-    if (stop) store_event("stopped", "between trials");
+    stored.wait();
     return !stop;
   }
 

@@ -23,6 +23,7 @@ struct SessionOutcome {
   int trials = 0;                       ///< of the plan, stored
   int repeated = 0;                     ///< stored beside them: trials that were presented again
   int flagged = 0;                      ///< of all these, with timing other than planned
+  std::vector<Duration> storing{};  ///< of each answer: from its last stroke until it was on disk
 };
 
 /// What the loop borrows.

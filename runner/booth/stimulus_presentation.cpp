@@ -11,6 +11,7 @@
 #include "runner/booth/patch.hpp"
 #include "runner/booth/shown_refreshes.hpp"
 #include "runner/devices/device_error.hpp"
+#include "stimuli/base/milliseconds.hpp"
 
 namespace bimodal::runner {
 
@@ -20,10 +21,6 @@ using namespace std::chrono_literals;
 
 Duration since_zero(Instant at) {
   return at.time_since_epoch();
-}
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
 }
 
 /// A sound that begins this much later than planned flags its trial.

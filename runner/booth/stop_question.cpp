@@ -7,7 +7,11 @@
 namespace bimodal::runner {
 
 bool stop_is_meant(const Booth& booth, Oversight& oversight) {
-  if (std::ranges::none_of(booth.keyboard.poll(), asks_to_stop)) return false;
+  return stop_is_meant(booth, oversight, booth.keyboard.poll());
+}
+
+bool stop_is_meant(const Booth& booth, Oversight& oversight, std::span<const Keystroke> strokes) {
+  if (std::ranges::none_of(strokes, asks_to_stop)) return false;
   const auto question = stop_question();
   while (true) {
     if (oversight.stop_asked()) return true;

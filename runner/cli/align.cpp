@@ -12,6 +12,7 @@
 #include "stimuli/alignment/aligner.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/milliseconds.hpp"
 #include "stimuli/labels/label_file.hpp"
 #include "stimuli/video/sound_track.hpp"
 #include "stimuli/words/dictionary.hpp"
@@ -27,10 +28,6 @@ struct AlignOptions {
   std::string dictionary;  ///< empty: the installed one
   std::string output;      ///< empty: only tell
 };
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts;

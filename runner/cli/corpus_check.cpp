@@ -9,6 +9,7 @@
 #include "runner/cli/text_table.hpp"
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/csv.hpp"
+#include "stimuli/base/milliseconds.hpp"
 #include "stimuli/corpus/check_corpus.hpp"
 
 namespace bimodal::runner {
@@ -23,10 +24,6 @@ struct CheckOptions {
   bool csv = false;
   bool json = false;
 };
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 /// A level, or nothing where there is none.
 std::string level_text(double level) {

@@ -59,9 +59,11 @@ void Instruments::find(TimedTrial& trial, const std::function<void()>& rest) {
   collect();
   if (!trial.visual || !trial.auditory || !input_.clock()) return;
   const auto rate = input_.rate();
+  std::int64_t first_searched = captured();
   const auto search = [&](Duration reported, std::size_t which, auto onset_in) {
     const Instant from = Instant{reported} + options_.delay - kBefore;
     const auto begin = std::max(input_.clock()->fit.sample_at(from), first_);
+    first_searched = std::min(first_searched, begin);
     const auto count = frames(kBefore + kAfter, rate);
     while (captured() < begin + static_cast<std::int64_t>(count)) {
       rest();
@@ -79,6 +81,10 @@ void Instruments::find(TimedTrial& trial, const std::function<void()>& rest) {
       search(*trial.auditory, options_.loopback, [&](const std::vector<float>& signal) {
         return onset_of_sound(signal, frames(kRest, rate));
       });
+  if (input_.clock()->latest_jump > first_searched) {
+    trial.true_visual.reset();
+    trial.true_auditory.reset();
+  }
   // What lies before is not needed any more.
   const auto keep = input_.clock()->fit.sample_at(Instant{*trial.visual} + options_.delay);
   const auto gone = std::clamp<std::int64_t>(keep - first_, 0, captured() - first_);

@@ -25,8 +25,8 @@ class Instruments {
   void collect();
 
   /// Waits until what `trial` presented has arrived, presenting nothing new meanwhile but calling
-  /// `rest`, and writes down when light and sound really came. Throws DeviceError if the input is
-  /// lost.
+  /// `rest`, and writes down when light and sound really came: neither, if the input's clock jumped
+  /// meanwhile, for then they lie on two clocks. Throws DeviceError if the input is lost.
   void find(TimedTrial& trial, const std::function<void()>& rest);
 
   [[nodiscard]] std::int64_t lost() const { return input_.lost(); }

@@ -16,6 +16,7 @@
 #include "runner/cli/session_face.hpp"
 #include "runner/cli/session_level.hpp"
 #include "runner/cli/session_preparation.hpp"
+#include "runner/cli/session_report.hpp"
 #include "runner/cli/session_setup.hpp"
 #include "runner/cli/session_triggers.hpp"
 #include "runner/cli/simulated_answers.hpp"
@@ -55,27 +56,6 @@ void tell(std::string_view what) {
   if (what.empty()) return;
   fmt::print("{}\n", what);
   std::fflush(stdout);
-}
-
-void report_outcome(const SessionOutcome& outcome,
-                    const std::vector<protocols::PlannedTrial>& plan,
-                    const std::string& data) {
-  fmt::print("{}: {} of {} trials stored in {}",
-             outcome.complete ? "complete" : "stopped",
-             outcome.trials,
-             plan.size(),
-             data);
-  if (outcome.repeated > 0) fmt::print("; {} repeated", outcome.repeated);
-  if (outcome.flagged == 0) {
-    fmt::print("; timing as planned in all\n");
-  } else {
-    fmt::print("; timing flagged in {}, see table event\n", outcome.flagged);
-  }
-  if (!outcome.complete) {
-    fmt::print(
-        "what was answered is kept; --resume goes on, --again begins this session anew, beside "
-        "it\n");
-  }
 }
 
 void refuse_what_nobody_could_answer(const RunOptions& options) {
@@ -202,7 +182,7 @@ ExitCode run(const RunOptions& options) {
   try {
     const auto outcome = run_session(parts);
     if (session) store->end(*session, outcome.complete ? "complete" : "stopped", utc_now());
-    report_outcome(outcome, plan, data.string());
+    report_outcome(outcome, plan.size(), data.string());
   } catch (const SoundLost& loss) {
     if (!session) throw;
     outlast_lost_sound(loss, booth, writer, *session, tell);

@@ -15,6 +15,7 @@
 #include "runner/preparation/face_quality.hpp"
 #include "runner/preparation/trial_preparer.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/milliseconds.hpp"
 #include "stimuli/picture/drawing.hpp"
 #include "stimuli/picture/image.hpp"
 #include "stimuli/picture/resize.hpp"
@@ -144,7 +145,7 @@ class StripMaker {
       const auto source = number != Film::kBlank && !film.source_frame_of_picture.empty()
                               ? fmt::format("  frame {}", film.source_frame_of_picture[number])
                               : std::string{};
-      const auto ms = std::chrono::duration<double, std::milli>{centre}.count();
+      const auto ms = milliseconds(centre);
       fmt::print("  {:<5} {:>7.1f} ms{}\n", symbol(segment), ms, source);
       row.pictures.push_back(scaled_picture(film, number));
       row.captions.push_back(fmt::format("{} {:.0f} ms{}", symbol(segment), ms, source));

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include "runner/cli/timing_report.hpp"
+#include "stimuli/base/markup.hpp"
+#include "stimuli/base/milliseconds.hpp"
 #include "stimuli/figures/figure.hpp"
 
 namespace bimodal::runner {
@@ -14,24 +16,6 @@ constexpr const char* kStyle =
     "td:first-child,th:first-child{text-align:left}svg{max-width:100%;height:auto}"
     ".good{color:#060}.usable{color:#850}.not_for_timing{color:#a00}"
     "pre{white-space:pre-wrap}";
-
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char letter : text) {
-    if (letter == '<') {
-      safe += "&lt;";
-    } else if (letter == '&') {
-      safe += "&amp;";
-    } else {
-      safe += letter;
-    }
-  }
-  return safe;
-}
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 Panel histogram_panel(const TimingSummary& summary) {
   const auto histogram = histogram_of(summary.offsets, 40);

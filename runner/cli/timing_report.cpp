@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runner/cli/timing_json.hpp"
+#include "stimuli/base/milliseconds.hpp"
 
 namespace bimodal::runner {
 
@@ -115,7 +116,7 @@ std::string as_text(const TimingFindings& findings) {
       "visual, {:+g} ms intended) of the others:\n",
       summary.trials,
       summary.flagged,
-      std::chrono::duration<double, std::milli>{findings.intended}.count());
+      milliseconds(findings.intended));
   text += line("reported, off the intended one", summary.reported);
   text += line("measured, off the intended one", summary.measured);
   text += line("light, measured minus reported", summary.visual);

@@ -25,6 +25,8 @@ class PatchedDisplay final : public Display {
 
   Presentation present(const Screen& screen, Instant deadline) override;
 
+  void wait(Instant until) override { display_.wait(until); }
+
   [[nodiscard]] RefreshEstimate refresh() const override { return display_.refresh(); }
 
   [[nodiscard]] std::optional<DeviceClock> clock() const override { return display_.clock(); }

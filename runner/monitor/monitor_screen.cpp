@@ -98,6 +98,10 @@ std::string sound(const SessionPicture& picture) {
   if (const auto drift = picture.real("health", "sound_drift_ppm")) {
     told += fmt::format("   drift {:+.1f} ppm", *drift);
   }
+  if (const auto storing = picture.real("health", "longest_storing_ns"); storing > 0.0) {
+    told +=
+        fmt::format("   answers stored within {:.1f} ms", *storing / kNanosecondsPerMillisecond);
+  }
   return told + (picture.flag("health", "sound_lost") ? "   THE DEVICE IS LOST" : "");
 }
 

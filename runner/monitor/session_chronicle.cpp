@@ -83,7 +83,8 @@ StatusLine health_line(const Health& health) {
                {"late_frames", health.late_frames},
                {"underflows", health.underflows},
                {"sound_drift_ppm", optional_json(health.sound_drift_ppm)},
-               {"sound_lost", health.sound_lost}});
+               {"sound_lost", health.sound_lost},
+               {"longest_storing_ns", health.longest_storing.count()}});
 }
 
 }  // namespace

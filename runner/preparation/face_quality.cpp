@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "stimuli/base/milliseconds.hpp"
+
 namespace bimodal::runner {
 
 namespace {
@@ -15,10 +17,6 @@ constexpr double kSpeechSeconds = 1.0;  ///< of a film
 
 double seconds(Duration duration) {
   return std::chrono::duration<double>{duration}.count();
-}
-
-double milliseconds(Duration duration) {
-  return 1e3 * seconds(duration);
 }
 
 /// "a picture takes 120 ms, the film of a word about 7.2 s"

@@ -57,6 +57,7 @@ struct Health {
   std::int64_t underflows = 0;            ///< of the sound
   std::optional<double> sound_drift_ppm;  ///< of the last trial; absent: not measured
   bool sound_lost = false;                ///< the device has stopped asking for samples
+  Duration longest_storing{};             ///< from an answer's last stroke until it was on the disk
 };
 
 struct PauseChanged {

@@ -157,6 +157,18 @@ std::string Statement::text(int column) const {
   return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(length)};
 }
 
+std::optional<double> Statement::optional_real(int column) const {
+  return is_null(column) ? std::nullopt : std::optional{real(column)};
+}
+
+std::optional<Duration> Statement::optional_duration(int column) const {
+  return is_null(column) ? std::nullopt : std::optional{duration(column)};
+}
+
+std::optional<std::string> Statement::optional_text(int column) const {
+  return is_null(column) ? std::nullopt : std::optional{text(column)};
+}
+
 void Statement::check(int code) const {
   if (code != SQLITE_OK) database_.fail("use");
 }

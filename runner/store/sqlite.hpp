@@ -83,6 +83,11 @@ class Statement {
 
   [[nodiscard]] std::string text(int column) const;
 
+  /// Absent where the column is null.
+  [[nodiscard]] std::optional<double> optional_real(int column) const;
+  [[nodiscard]] std::optional<Duration> optional_duration(int column) const;
+  [[nodiscard]] std::optional<std::string> optional_text(int column) const;
+
  private:
   Statement& bind_null();
   void check(int code) const;

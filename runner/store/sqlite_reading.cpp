@@ -2,10 +2,10 @@
 #include <map>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
+#include "runner/store/number_lists.hpp"
 #include "runner/store/schema_check.hpp"
 #include "runner/store/sqlite.hpp"
+#include "runner/store/sqlite_trial_parts.hpp"
 #include "runner/store/store_error.hpp"
 #include "runner/store/stored_session.hpp"
 
@@ -17,33 +17,6 @@ std::uint64_t unsigned_from(const std::string& digits) {
   std::uint64_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
   return number;
-}
-
-std::optional<std::string> optional_text(const Statement& row, int column) {
-  if (row.is_null(column)) return std::nullopt;
-  return row.text(column);
-}
-
-std::optional<double> optional_real(const Statement& row, int column) {
-  if (row.is_null(column)) return std::nullopt;
-  return row.real(column);
-}
-
-std::optional<Duration> optional_duration(const Statement& row, int column) {
-  if (row.is_null(column)) return std::nullopt;
-  return row.duration(column);
-}
-
-std::vector<std::int64_t> numbers_from(const std::string& json) {
-  const auto parsed = nlohmann::json::parse(json, nullptr, false);
-  if (!parsed.is_array()) throw StoreError{"a list of refreshes in the data file is damaged"};
-  return parsed.get<std::vector<std::int64_t>>();
-}
-
-std::vector<Duration> instants_from(const std::string& json, Duration origin) {
-  std::vector<Duration> instants;
-  for (const auto since : numbers_from(json)) instants.push_back(origin + Duration{since});
-  return instants;
 }
 
 StoredSession session_from(const Statement& row) {
@@ -74,7 +47,7 @@ StoredSession session_from(const Statement& row) {
   if (!row.is_null(26)) {
     session.face = FaceDrawingRecord{.quality = row.text(26),
                                      .basis = row.text(27),
-                                     .full_picture = optional_duration(row, 28),
+                                     .full_picture = row.optional_duration(28),
                                      .renderer = row.text(29)};
   }
   if (!row.is_null(30)) {
@@ -98,13 +71,13 @@ StoredTrial trial_from(const Statement& row, Detail detail) {
   plan.word = row.text(4);
   plan.phones = row.text(5);
   plan.condition = row.text(6);
-  plan.auditory_talker = optional_text(row, 7);
-  plan.visual_talker = optional_text(row, 8);
-  plan.snr_db = optional_real(row, 9);
+  plan.auditory_talker = row.optional_text(7);
+  plan.visual_talker = row.optional_text(8);
+  plan.snr_db = row.optional_real(9);
   plan.noise_seed = unsigned_from(row.text(10));
-  plan.visual_word = optional_text(row, 21);
-  plan.articulation = optional_text(row, 23);
-  plan.face = optional_text(row, 24);
+  plan.visual_word = row.optional_text(21);
+  plan.articulation = row.optional_text(23);
+  plan.face = row.optional_text(24);
   if (!row.is_null(25)) plan.repeats = static_cast<int>(row.integer(25));
   auto& trial = stored.trial;
   trial.trial = plan.trial;
@@ -113,12 +86,12 @@ StoredTrial trial_from(const Statement& row, Detail detail) {
   trial.flagged = row.integer(13) != 0;
   trial.response.text = row.text(14);
   trial.response.submitted = row.duration(15);
-  trial.response.first_key = optional_duration(row, 16);
+  trial.response.first_key = row.optional_duration(16);
   trial.response.timed_out = row.integer(17) != 0;
   trial.excluded = row.integer(26) != 0;
   trial.response.reference = row.text(27);
-  trial.response.reference_at = optional_duration(row, 28);
-  trial.response.uncertainty = optional_duration(row, 29);
+  trial.response.reference_at = row.optional_duration(28);
+  trial.response.uncertainty = row.optional_duration(29);
   if (detail == Detail::Everything) {
     trial.refreshes.frame = numbers_from(row.text(18));
     trial.refreshes.planned = instants_from(row.text(19), trial.stimulus_start);
@@ -126,110 +99,6 @@ StoredTrial trial_from(const Statement& row, Detail detail) {
     if (!row.is_null(22)) trial.refreshes.source_frame = numbers_from(row.text(22));
   }
   return stored;
-}
-
-using TrialsById = std::map<std::pair<std::int64_t, std::int64_t>, TrialRecord*>;
-
-void read_onsets(Database& database, const TrialsById& trials) {
-  Statement row{database,
-                "SELECT session, trial, modality, planned_ns, reported_ns, source FROM onset"};
-  while (row.step()) {
-    trials.at({row.integer(0), row.integer(1)})
-        ->onsets.push_back({row.text(2), row.duration(3), optional_duration(row, 4), row.text(5)});
-  }
-}
-
-void read_sounds(Database& database, const TrialsById& trials) {
-  Statement row{database, "SELECT * FROM sound"};
-  while (row.step()) {
-    trials.at({row.integer(0), row.integer(1)})->sound =
-        SoundRecord{.sha256 = row.text(2),
-                    .rate_hz = static_cast<int>(row.integer(3)),
-                    .samples = row.integer(4),
-                    .speech_dbfs = row.real(5),
-                    .noise_dbfs = optional_real(row, 6),
-                    .band_low_hz = row.real(7),
-                    .band_high_hz = row.real(8),
-                    .peak = row.real(9),
-                    .speech_start = row.duration(10),
-                    .speech_end = row.duration(11)};
-  }
-}
-
-void read_recordings(Database& database, const TrialsById& trials) {
-  Statement row{database,
-                "SELECT session, trial, modality, talker, item, file, sha256, start_ns, end_ns"
-                " FROM recording"};
-  while (row.step()) {
-    trials.at({row.integer(0), row.integer(1)})
-        ->recordings.push_back({.modality = row.text(2),
-                                .talker = row.text(3),
-                                .item = row.text(4),
-                                .file = row.text(5),
-                                .sha256 = row.text(6),
-                                .start = row.duration(7),
-                                .end = row.duration(8)});
-  }
-}
-
-void read_keystrokes(Database& database, const TrialsById& trials, bool has_timing) {
-  Statement row{database,
-                std::string{"SELECT session, trial, at_ns, source, key, "} +
-                    (has_timing ? "uncertainty_ns, x, y" : "NULL, NULL, NULL") +
-                    " FROM keystroke ORDER BY session, trial, ordinal"};
-  while (row.step()) {
-    trials.at({row.integer(0), row.integer(1)})
-        ->keystrokes.push_back({.at = row.duration(2),
-                                .source = row.text(3),
-                                .key = row.text(4),
-                                .uncertainty = optional_duration(row, 5),
-                                .x = optional_real(row, 6),
-                                .y = optional_real(row, 7)});
-  }
-}
-
-void read_clock_maps(Database& database, const TrialsById& trials) {
-  Statement row{database,
-                "SELECT session, trial, clock, source, at_ns, device_at, ns_per_unit, drift_ppm,"
-                " residual_ns, readings, rejected, jumps FROM clock_map"};
-  while (row.step()) {
-    trials.at({row.integer(0), row.integer(1)})
-        ->clock_maps.push_back({.clock = row.text(2),
-                                .source = row.text(3),
-                                .at = row.duration(4),
-                                .device_at = row.integer(5),
-                                .nanoseconds_per_unit = row.real(6),
-                                .drift_ppm = optional_real(row, 7),
-                                .residual = row.duration(8),
-                                .readings = row.integer(9),
-                                .rejected = row.integer(10),
-                                .jumps = static_cast<int>(row.integer(11))});
-  }
-}
-
-void read_triggers(Database& database, const TrialsById& trials) {
-  Statement row{database,
-                "SELECT session, trial, kind, event, code, planned_ns, sent_ns, uncertainty_ns,"
-                " source FROM trigger ORDER BY session, trial, ordinal"};
-  while (row.step()) {
-    TriggerRecord trigger{.kind = row.text(2),
-                          .event = row.text(3),
-                          .planned = row.duration(5),
-                          .sent = optional_duration(row, 6),
-                          .uncertainty = optional_duration(row, 7),
-                          .source = row.text(8)};
-    if (!row.is_null(4)) trigger.code = static_cast<int>(row.integer(4));
-    trials.at({row.integer(0), row.integer(1)})->triggers.push_back(std::move(trigger));
-  }
-}
-
-void read_events(Database& database, const TrialsById& trials) {
-  Statement row{database,
-                "SELECT session, trial, at_ns, kind, detail FROM event WHERE trial IS NOT NULL"};
-  while (row.step()) {
-    trials.at({row.integer(0), row.integer(1)})
-        ->events.push_back({row.duration(2), row.text(3), row.text(4)});
-  }
 }
 
 }  // namespace
@@ -325,13 +194,7 @@ std::vector<StoredSession> read_sessions(const std::filesystem::path& file, Deta
       trials[{session.session.id, stored.trial.trial}] = &stored.trial;
     }
   }
-  read_onsets(database, trials);
-  read_sounds(database, trials);
-  if (has_recordings) read_recordings(database, trials);
-  read_keystrokes(database, trials, has_timing);
-  if (has_timing) read_clock_maps(database, trials);
-  if (has_timing) read_triggers(database, trials);
-  read_events(database, trials);
+  read_trial_parts(database, version, trials);
   return sessions;
 }
 

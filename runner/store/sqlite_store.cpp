@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <string>
 
-#include <fmt/format.h>
-
+#include "runner/store/number_lists.hpp"
 #include "runner/store/schema_check.hpp"
 #include "runner/store/session_store.hpp"
 #include "runner/store/sqlite.hpp"
@@ -11,19 +10,6 @@
 namespace bimodal::runner {
 
 namespace {
-
-/// "[1,2,3]": arrays that SQLite's json_each, R and Python all read.
-std::string as_json(std::span<const std::int64_t> numbers) {
-  return fmt::format("[{}]", fmt::join(numbers.begin(), numbers.end(), ","));
-}
-
-/// Nanoseconds since `origin`, which keeps the numbers short.
-std::string as_json(std::span<const Duration> instants, Duration origin) {
-  std::vector<std::int64_t> since(instants.size());
-  std::ranges::transform(
-      instants, since.begin(), [&](Duration at) { return (at - origin).count(); });
-  return as_json(since);
-}
 
 class SqliteStore final : public SessionStore {
  public:

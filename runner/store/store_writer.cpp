@@ -15,9 +15,24 @@ StoreWriter::~StoreWriter() {
   thread_.join();
 }
 
-std::future<void> StoreWriter::add(std::int64_t session, TrialRecord trial) {
-  return enqueue(std::packaged_task<void()>{
-      [this, session, trial = std::move(trial)] { store_.add(session, trial); }});
+template <typename Result>
+std::future<Result> StoreWriter::enqueue(std::packaged_task<Result()> task) {
+  auto stored = task.get_future();
+  {
+    const std::lock_guard lock{mutex_};
+    tasks_.emplace_back(std::move(task));
+  }
+  changed_.notify_one();
+  return stored;
+}
+
+std::future<Duration> StoreWriter::add(std::int64_t session, TrialRecord trial) {
+  using Steady = std::chrono::steady_clock;
+  return enqueue(std::packaged_task<Duration()>{
+      [this, session, trial = std::move(trial), asked = Steady::now()]() -> Duration {
+        store_.add(session, trial);
+        return Steady::now() - asked;
+      }});
 }
 
 std::future<void> StoreWriter::add(std::int64_t session, PlanRecord planned) {
@@ -28,16 +43,6 @@ std::future<void> StoreWriter::add(std::int64_t session, PlanRecord planned) {
 std::future<void> StoreWriter::add(std::int64_t session, EventRecord event) {
   return enqueue(std::packaged_task<void()>{
       [this, session, event = std::move(event)] { store_.add(session, event); }});
-}
-
-std::future<void> StoreWriter::enqueue(std::packaged_task<void()> task) {
-  auto stored = task.get_future();
-  {
-    const std::lock_guard lock{mutex_};
-    tasks_.push_back(std::move(task));
-  }
-  changed_.notify_one();
-  return stored;
 }
 
 void StoreWriter::work() {

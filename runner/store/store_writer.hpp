@@ -24,13 +24,15 @@ class StoreWriter {
   StoreWriter(StoreWriter&&) = delete;
   StoreWriter& operator=(StoreWriter&&) = delete;
 
-  /// The future holds the StoreError if the transaction failed.
-  [[nodiscard]] std::future<void> add(std::int64_t session, TrialRecord trial);
+  /// The future holds the StoreError if the transaction failed; of a trial, how long after the call
+  /// it was committed.
+  [[nodiscard]] std::future<Duration> add(std::int64_t session, TrialRecord trial);
   [[nodiscard]] std::future<void> add(std::int64_t session, PlanRecord planned);
   [[nodiscard]] std::future<void> add(std::int64_t session, EventRecord event);
 
  private:
-  [[nodiscard]] std::future<void> enqueue(std::packaged_task<void()> task);
+  template <typename Result>
+  [[nodiscard]] std::future<Result> enqueue(std::packaged_task<Result()> task);
   void work();
 
   SessionStore& store_;

@@ -183,6 +183,7 @@ void ClockMap::notice_jump(const ClockPair& pair) {
   early_ = off < -limit ? early_ + 1 : 0;
   if (late_ < options_.confirmations && early_ < options_.confirmations) return;
   forget_all_but(options_.confirmations - 1);  // which lie after the jump, as does this one
+  latest_jump_ = pairs_.empty() ? pair.sample : pairs_.front().sample;
   ++jumps_;
 }
 

@@ -38,6 +38,7 @@ struct ClockFit {
 struct DeviceClock {
   ClockFit fit;   ///< of a sound stream's samples, or of a display's refreshes
   int jumps = 0;  ///< since the session began: lost buffers, or another rate
+  std::optional<std::int64_t> latest_jump = std::nullopt;  ///< the first sample after it
 };
 
 /// Fits a line through readings whose errors are mostly small but sometimes large. Start: the
@@ -74,6 +75,9 @@ class ClockMap {
   /// Jumps noticed so far.
   [[nodiscard]] int jumps() const { return jumps_; }
 
+  /// The first sample known to lie after the latest jump; absent before any.
+  [[nodiscard]] std::optional<std::int64_t> latest_jump() const { return latest_jump_; }
+
  private:
   void forget_all_but(std::size_t latest);
   void renew_judge();
@@ -89,6 +93,7 @@ class ClockMap {
   std::size_t early_ = 0;  ///< successive readings well before their predicted instant
   std::size_t late_ = 0;
   int jumps_ = 0;
+  std::optional<std::int64_t> latest_jump_;
 };
 
 }  // namespace bimodal::runner

@@ -6,13 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "stimuli/base/milliseconds.hpp"
+
 namespace bimodal::runner {
 
 namespace {
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 /// The smallest of 1, 2 and 5 times a power of ten that is at least `width`.
 double round_width(double width) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "stimuli/base/milliseconds.hpp"
+
 namespace bimodal::runner {
 
 namespace {
@@ -15,10 +17,6 @@ using namespace std::chrono_literals;
 constexpr std::size_t kFewestFlips = 100;
 constexpr Duration kLargestDeviation = 2ms;
 constexpr Duration kGoodDeviation = 100us;
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 bool is_outlier(Duration interval, Duration period) {
   return 5 * std::chrono::abs(interval - period) > period;

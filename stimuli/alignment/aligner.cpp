@@ -11,6 +11,7 @@
 #include "stimuli/alignment/search_sound.hpp"
 #include "stimuli/alignment/word_graph.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/milliseconds.hpp"
 
 namespace bimodal {
 
@@ -21,10 +22,6 @@ constexpr Duration kShortestPhone = CepstraMaker::kFrame * kStates;
 
 /// A frame hears 25.6 ms from its start; the edge between two lies between their centres.
 constexpr Duration kShift = (CepstraMaker::kWindow - CepstraMaker::kFrame) / 2;
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 /// What was asked for, for messages: "\"stew\" (S T UW)".
 std::string named(std::span<const SpokenWord> words) {

@@ -10,6 +10,7 @@
 #include "stimuli/audio/noise.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/milliseconds.hpp"
 
 namespace bimodal {
 
@@ -19,9 +20,8 @@ constexpr Duration kEdgeFade = std::chrono::milliseconds{5};
 
 std::size_t samples_in(Duration duration, Hertz rate, const char* name) {
   if (duration < Duration{}) {
-    throw Error{fmt::format("cannot mix with a negative {} ({} ms); give 0 or more",
-                            name,
-                            std::chrono::duration<double, std::milli>{duration}.count())};
+    throw Error{fmt::format(
+        "cannot mix with a negative {} ({} ms); give 0 or more", name, milliseconds(duration))};
   }
   return static_cast<std::size_t>(nearest_sample(duration, rate).count());
 }

@@ -11,6 +11,7 @@
 #include <rubberband/RubberBandStretcher.h>
 
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/milliseconds.hpp"
 
 namespace bimodal {
 
@@ -123,8 +124,8 @@ Utterance reversed(const Utterance& utterance) {
 Clip gated(Clip sound, Duration instant, Duration ramp) {
   if (instant < Duration{} || ramp < Duration{}) {
     throw Error{fmt::format("cannot gate sound at {} ms with a fall of {} ms; give 0 or more",
-                            std::chrono::duration<double, std::milli>{instant}.count(),
-                            std::chrono::duration<double, std::milli>{ramp}.count())};
+                            milliseconds(instant),
+                            milliseconds(ramp))};
   }
   const auto silence = nearest_sample(instant, sound.rate).count();
   const auto fall = nearest_sample(ramp, sound.rate).count();

@@ -10,6 +10,7 @@
 #include "stimuli/base/counted.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/milliseconds.hpp"
 #include "stimuli/corpus/cut_items.hpp"
 #include "stimuli/video/frame_reader.hpp"
 #include "stimuli/video/sound_track.hpp"
@@ -22,10 +23,6 @@ constexpr double kLevelRange = 12.0;    ///< dB around the median
 constexpr double kQuietMargin = -20.0;  ///< dB re the speech
 constexpr double kUneven = 0.25;        ///< of the median frame
 constexpr Duration kApart = std::chrono::milliseconds{100};
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "stimuli/base/milliseconds.hpp"
+
 namespace bimodal {
 
 namespace {
@@ -11,10 +13,6 @@ using namespace std::chrono_literals;
 constexpr Duration kShortestVowel = 30ms;
 constexpr Duration kLongestPhone = 700ms;
 constexpr Duration kLongestWord = 1500ms;
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 }  // namespace
 

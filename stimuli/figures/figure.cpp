@@ -7,6 +7,7 @@
 
 #include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/markup.hpp"
 #include "stimuli/figures/canvas.hpp"
 #include "stimuli/figures/layout.hpp"
 
@@ -17,26 +18,6 @@ namespace {
 constexpr std::array<FigureColour, 8> kColours{
     0x000000, 0xD55E00, 0x0072B2, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x806000};
 constexpr double kLargestSide = 14'000;  ///< points; PDF and PNG readers refuse larger ones
-
-std::string escaped(std::string_view text) {
-  std::string made;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        made += "&amp;";
-        break;
-      case '<':
-        made += "&lt;";
-        break;
-      case '>':
-        made += "&gt;";
-        break;
-      default:
-        made += letter;
-    }
-  }
-  return made;
-}
 
 /// Cairo numbers its pages through the life of the program; nothing refers to the number.
 void remove_page_number(std::string& svg) {

@@ -30,6 +30,27 @@ def nearest(instants, wanted):
     return min(instants[max(0, at - 1) : at + 1], key=lambda i: abs(i - wanted), default=None)
 
 
+class Troubles:
+    """When the compositor left a refresh out or the sound server reported an overrun, by the
+    observer's record: no presenter can do anything about those."""
+
+    BEFORE_NS, AFTER_NS = 0.8e9, 0.6e9  # of a trial's onset, in which its fixation and sound lie
+    MOST_PERIODS = 1.5
+
+    def __init__(self, seen):
+        shown = [refresh["at_ns"] for refresh in refreshes(seen)]
+        gaps = [after - before for before, after in zip(shown, shown[1:])]
+        longest = self.MOST_PERIODS * statistics.median(gaps)
+        late = [after for after, gap in zip(shown[1:], gaps) if gap > longest]
+        overruns = [event["at_ns"] for event in seen if event["kind"] == "xrun"]
+        self.instants = sorted(late + overruns)
+
+    def near(self, onset):
+        """Whether there was one around a trial's onset."""
+        first = bisect.bisect(self.instants, onset - self.BEFORE_NS)
+        return first < bisect.bisect(self.instants, onset + self.AFTER_NS)
+
+
 def moments(values):
     return {
         "n": len(values),

@@ -66,6 +66,7 @@ class Laboratory:
             "BIMODAL_CACHE": str(self.runtime / "films"),
         }
         try:
+            self.keep_awake()
             self.start_screen()
             self.start_sound()
         except BaseException:
@@ -91,6 +92,12 @@ class Laboratory:
             )
         self.processes.append(process)
         return process
+
+    def keep_awake(self):
+        """Where machines are virtual, a processor that sleeps may take milliseconds to wake."""
+        for _ in range(os.cpu_count()):
+            idle = ["chrt", "--idle", "0", "sh", "-c", "while :; do :; done"]
+            self.processes.append(subprocess.Popen(idle))
 
     def start_screen(self):
         configuration = self.runtime / "sway.conf"

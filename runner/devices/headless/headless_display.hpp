@@ -20,6 +20,8 @@ class HeadlessDisplay final : public Display {
   /// Sleeps until the planned refresh. The onset is that refresh, even if the machine woke later.
   Presentation present(const Screen& screen, Instant deadline) override;
 
+  void wait(Instant until) override { sleep_until(until); }
+
   /// The stated grid; deviation and count are 0, because nothing was measured.
   [[nodiscard]] RefreshEstimate refresh() const override { return grid_; }
 

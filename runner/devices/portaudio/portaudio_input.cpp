@@ -257,7 +257,7 @@ std::optional<DeviceClock> PortaudioInput::clock() {
   stream_->follow_clock();
   const auto& fit = stream_->map.fit();
   if (!fit) return std::nullopt;
-  return DeviceClock{*fit, stream_->map.jumps()};
+  return DeviceClock{*fit, stream_->map.jumps(), stream_->map.latest_jump()};
 }
 
 Hertz PortaudioInput::rate() const {

@@ -10,6 +10,8 @@
 
 namespace bimodal::runner {
 
+struct OutputStream;
+
 struct PortaudioOptions {
   std::string device;  ///< index, or part of a name as describe_audio_devices() prints it; empty:
                        ///< the default device
@@ -52,8 +54,7 @@ class PortaudioOutput final : public AudioOutput {
   [[nodiscard]] std::optional<DeviceClock> clock() override;
 
  private:
-  struct Stream;
-  std::unique_ptr<Stream> stream_;
+  std::unique_ptr<OutputStream> stream_;
 };
 
 }  // namespace bimodal::runner

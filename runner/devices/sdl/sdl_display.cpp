@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "runner/devices/sdl/window_reports.hpp"
+#include "stimuli/base/milliseconds.hpp"
 
 namespace bimodal::runner {
 namespace {
@@ -19,10 +20,6 @@ constexpr int kMeasuredFlips = 100;
 constexpr int kToleratedSilences = 5;  ///< a window just opened may be shown a little later
 constexpr Duration kPumpEvery = std::chrono::milliseconds{1};
 constexpr Duration kPatience = std::chrono::milliseconds{100};  ///< for one report
-
-double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
-}
 
 }  // namespace
 
@@ -129,7 +126,7 @@ std::optional<DeviceClock> SdlDisplay::clock() const {
 
 Presentation SdlDisplay::present(const Screen& screen, Instant deadline) {
   const auto plan = plan_refresh(refresh(), clock_.now(), deadline);
-  wait_until(plan.submit);
+  wait(plan.submit);
   painter_.draw(screen, window_.size());
   auto presentation = source_ == TimeSource::Predicted ? present_clocked(plan)
                       : reports_                       ? present_reported(plan)
@@ -157,7 +154,7 @@ Presentation SdlDisplay::present_swapped(const RefreshPlan& plan) {
   const auto returned = clock_.now();
   const auto [onset, seen] = onset_of_swap(meter_.estimate(), plan, returned);
   if (!seen) {
-    wait_until(onset);
+    wait(onset);
     return {.onset = onset, .source = TimeSource::Predicted};
   }
   meter_.add(onset);
@@ -166,12 +163,12 @@ Presentation SdlDisplay::present_swapped(const RefreshPlan& plan) {
 
 Presentation SdlDisplay::present_clocked(const RefreshPlan& plan) {
   glFinish();
-  wait_until(plan.target);
+  wait(plan.target);
   window_.swap();
   return {.onset = clock_.now(), .source = TimeSource::Predicted};
 }
 
-void SdlDisplay::wait_until(Instant instant) {
+void SdlDisplay::wait(Instant instant) {
   while (instant - clock_.now() > kPumpEvery) {
     sleep_until(std::min(instant, clock_.now() + kPumpEvery));
     window_.pump();

@@ -36,6 +36,7 @@ class SdlDisplay final : public Display {
   explicit SdlDisplay(SdlWindow& window, const Screen& opening = {});
 
   Presentation present(const Screen& screen, Instant deadline) override;
+  void wait(Instant until) override;
 
   [[nodiscard]] RefreshEstimate refresh() const override;
   [[nodiscard]] std::optional<DeviceClock> clock() const override;
@@ -58,7 +59,6 @@ class SdlDisplay final : public Display {
   [[nodiscard]] bool measure_swaps(const Screen& opening);
   void sum_up(std::span<const Instant> flips);
   [[nodiscard]] std::string describe_source() const;
-  void wait_until(Instant instant);
   Presentation present_reported(const RefreshPlan& plan);
   Presentation present_swapped(const RefreshPlan& plan);
   Presentation present_clocked(const RefreshPlan& plan);

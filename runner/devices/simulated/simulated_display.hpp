@@ -24,6 +24,8 @@ class SimulatedDisplay final : public Display {
 
   Presentation present(const Screen& screen, Instant deadline) override;
 
+  void wait(Instant until) override { clock_.advance_to(until); }
+
   /// The next presentation comes `refreshes` (>= 0) late; those after it are on time again.
   void drop_next(int refreshes) { to_drop_ = refreshes; }
 

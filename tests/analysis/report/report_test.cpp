@@ -6,11 +6,11 @@
 
 #include "analysis/report/columns.hpp"
 #include "analysis/report/csv.hpp"
-#include "analysis/report/markup.hpp"
 #include "analysis/report/matrix_text.hpp"
 #include "analysis/report/page.hpp"
 #include "analysis/report/place_class.hpp"
 #include "analysis/report/tables.hpp"
+#include "stimuli/base/markup.hpp"
 #include "tests/analysis/examples.hpp"
 
 namespace bimodal::analysis {

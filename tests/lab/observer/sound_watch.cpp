@@ -10,6 +10,8 @@
 
 #include <jack/jack.h>
 
+#include "cycle_clock.hpp"
+
 namespace lab {
 
 namespace {
@@ -21,20 +23,6 @@ std::int64_t monotonic_ns() noexcept {
   timespec time{};
   clock_gettime(CLOCK_MONOTONIC, &time);
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
-}
-
-/// When a cycle began: JACK's clock (CLOCK_MONOTONIC_RAW), moved onto CLOCK_MONOTONIC.
-std::int64_t cycle_start_ns(jack_client_t* client) noexcept {
-  jack_nframes_t frames = 0;
-  jack_time_t start_us = 0;
-  jack_time_t next_us = 0;
-  float period_us = 0.0F;
-  const auto before = monotonic_ns();
-  const auto jack_now_us = static_cast<std::int64_t>(jack_get_time());
-  const auto after = monotonic_ns();
-  const std::int64_t offset = before + (after - before) / 2 - jack_now_us * 1000;
-  if (jack_get_cycle_times(client, &frames, &start_us, &next_us, &period_us) != 0) return after;
-  return static_cast<std::int64_t>(start_us) * 1000 + offset;
 }
 
 jack_client_t* open_client(const char* name) {
@@ -54,11 +42,6 @@ std::int64_t playback_latency_frames(jack_client_t* client) {
 }  // namespace
 
 struct SoundWatch::Client {
-  struct Cycle {
-    std::int64_t frame = 0;  ///< since listening began
-    std::int64_t start_ns = 0;
-  };
-
   struct Level {
     std::int64_t at_ns = 0;
     float brightness = 0.0F;
@@ -74,10 +57,11 @@ struct SoundWatch::Client {
   double frames_per_second = 48000;
 
   std::vector<std::vector<float>> recorded;  ///< by channel
-  std::vector<Cycle> cycles;
-  std::atomic<std::int64_t> listened{0};  ///< frames
-  std::atomic<std::size_t> cycle_count{0};
-  std::int64_t first_frame = -1;  ///< JACK's number of the first frame; for the listener's thread
+  std::unique_ptr<CycleClock> clock;         ///< of the frames that were listened to
+  std::atomic<std::int64_t> listened{0};     ///< frames
+
+  std::unique_ptr<CycleClock> diode_clock;  ///< of the frames that the diode played
+  std::int64_t diode_frames = 0;            ///< for the diode's thread
 
   std::vector<Level> levels;
   std::atomic<std::size_t> level_count{0};
@@ -85,22 +69,19 @@ struct SoundWatch::Client {
 
   std::vector<SeenTrouble> troubles;
   std::atomic<std::size_t> trouble_count{0};
-  std::atomic<std::int64_t> first_jack_frame{-1};
 
   static int listen(jack_nframes_t frames, void* data) {
+    const auto now_ns = monotonic_ns();
     auto& self = *static_cast<Client*>(data);
     const auto at = self.listened.load(std::memory_order_relaxed);
-    const auto count = self.cycle_count.load(std::memory_order_relaxed);
     const auto room = static_cast<std::int64_t>(self.recorded.front().size());
-    if (at + frames > room || count == self.cycles.size()) return 0;
-    if (at == 0) self.first_jack_frame.store(jack_last_frame_time(self.listener));
+    if (at + frames > room) return 0;
     for (std::size_t channel = 0; channel < self.heard.size(); ++channel) {
       const auto* const samples =
           static_cast<const float*>(jack_port_get_buffer(self.heard[channel], frames));
       std::copy(samples, samples + frames, self.recorded[channel].begin() + at);
     }
-    self.cycles[count] = {at, cycle_start_ns(self.listener)};
-    self.cycle_count.store(count + 1, std::memory_order_release);
+    self.clock->add(at, now_ns);
     self.listened.store(at + frames, std::memory_order_release);
     return 0;
   }
@@ -108,30 +89,29 @@ struct SoundWatch::Client {
   /// A recorder at the far end of two long cables of equal delay: channel 0 is the photodiode,
   /// channel 1 what came out of the sound card.
   static int play(jack_nframes_t frames, void* data) {
+    const auto now_ns = monotonic_ns();
     auto& self = *static_cast<Client*>(data);
     auto* const light = static_cast<float*>(jack_port_get_buffer(self.played[0], frames));
     auto* const sound = static_cast<float*>(jack_port_get_buffer(self.played[1], frames));
     const double frame_ns = 1e9 / self.frames_per_second;
+    self.diode_clock->add(self.diode_frames, now_ns);
     // The samples of a cycle were captured in the period before it.
-    const double begin_ns = static_cast<double>(cycle_start_ns(self.diode) -
-                                                std::llround(self.options.diode_delay_s * 1e9)) -
-                            frame_ns * static_cast<double>(self.period);
+    const auto begin_ns = self.diode_clock->instant_of(self.diode_frames - self.period) -
+                          std::llround(self.options.diode_delay_s * 1e9);
+    self.diode_frames += frames;
     const auto known = self.level_count.load(std::memory_order_acquire);
     for (jack_nframes_t i = 0; i < frames; ++i) {
-      const auto at = static_cast<std::int64_t>(begin_ns + frame_ns * i);
+      const auto at = begin_ns + std::llround(frame_ns * i);
       while (self.level_now + 1 < known && self.levels[self.level_now + 1].at_ns <= at) {
         ++self.level_now;
       }
       light[i] = known == 0 ? 0.0F : 0.5F * self.levels[self.level_now].brightness;
     }
-    const auto delay = self.playback_latency + self.period +
-                       std::llround(self.options.diode_delay_s * self.frames_per_second);
-    const auto first = self.first_jack_frame.load();
-    const auto from = static_cast<std::int64_t>(jack_last_frame_time(self.diode)) - first - delay;
     const auto listened = self.listened.load(std::memory_order_acquire);
+    const auto from = listened > 0 ? self.clock->frame_at(begin_ns) - self.playback_latency : -1;
     for (jack_nframes_t i = 0; i < frames; ++i) {
       const auto frame = from + static_cast<std::int64_t>(i);
-      const bool is_known = first >= 0 && frame >= 0 && frame < listened;
+      const bool is_known = from >= 0 && frame < listened;
       sound[i] = is_known ? self.recorded[0][static_cast<std::size_t>(frame)] : 0.0F;
     }
     return 0;
@@ -147,14 +127,8 @@ struct SoundWatch::Client {
   }
 
   [[nodiscard]] std::int64_t output_ns(std::int64_t frame) const {
-    const auto count = cycle_count.load();
-    std::size_t low = 0;
-    for (std::size_t high = count; high - low > 1;) {
-      const auto middle = (low + high) / 2;
-      (cycles[middle].frame <= frame ? low : high) = middle;
-    }
-    const double after = static_cast<double>(frame - cycles[low].frame + playback_latency);
-    return cycles[low].start_ns + std::llround(after * 1e9 / frames_per_second);
+    const auto latency = static_cast<double>(playback_latency);
+    return clock->instant_of(frame) + std::llround(latency * 1e9 / frames_per_second);
   }
 };
 
@@ -168,7 +142,9 @@ SoundWatch::SoundWatch(const Options& options) : client_{std::make_unique<Client
   self.playback_latency = playback_latency_frames(self.listener);
   const auto frames = static_cast<std::size_t>(options.longest_s * self.frames_per_second);
   self.recorded.assign(static_cast<std::size_t>(options.channels), std::vector<float>(frames));
-  self.cycles.resize(frames / static_cast<std::size_t>(self.period) + 1);
+  const auto cycles = frames / static_cast<std::size_t>(self.period) + 1;
+  self.clock = std::make_unique<CycleClock>(cycles, self.frames_per_second);
+  self.diode_clock = std::make_unique<CycleClock>(cycles, self.frames_per_second);
   self.levels.resize(kMostRefreshes);
   self.troubles.resize(kMostTroubles);
   for (int channel = 0; channel < options.channels; ++channel) {

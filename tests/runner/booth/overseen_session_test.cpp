@@ -40,11 +40,14 @@ class SoundTrials final : public TrialSource {
  public:
   explicit SoundTrials(const std::vector<protocols::PlannedTrial>& plan) : plan_{plan} {}
 
+  void add_faces() { has_face_ = true; }
+
   bool ready() override { return waits == 0 || --waits == 0; }
 
   PreparedTrial next() override {
     PreparedTrial trial{.plan = plan_.at(next_++),
                         .layout = {.recording = 500ms, .has_sound = true}};
+    if (has_face_) trial.frames = frame_count(trial.layout, Hertz{60});
     trial.sound = Sound{.rate = Hertz{48'000},
                         .samples = std::make_shared<const std::vector<float>>(24'000, 0.1F)};
     return trial;
@@ -60,6 +63,36 @@ class SoundTrials final : public TrialSource {
  private:
   const std::vector<protocols::PlannedTrial>& plan_;
   std::size_t next_ = 0;
+  bool has_face_ = false;
+};
+
+/// Reports what it shows, except while it is asleep.
+class SleepyDisplay final : public Display {
+ public:
+  SleepyDisplay(VirtualClock& clock) : display_{clock} {}
+
+  Presentation present(const Screen& screen, Instant deadline) override {
+    auto shown = display_.present(screen, deadline);
+    shown.source = is_asleep ? TimeSource::Predicted : TimeSource::DriverReported;
+    if (on_shown) on_shown(screen);
+    return shown;
+  }
+
+  void wait(Instant until) override { display_.wait(until); }
+
+  [[nodiscard]] RefreshEstimate refresh() const override { return display_.refresh(); }
+
+  [[nodiscard]] std::string kind() const override { return "sleepy"; }
+
+  [[nodiscard]] std::string description() const override { return "sleepy"; }
+
+  [[nodiscard]] TimeSource time_source() const override { return TimeSource::DriverReported; }
+
+  bool is_asleep = false;
+  std::function<void(const Screen&)> on_shown;
+
+ private:
+  SimulatedDisplay display_;
 };
 
 class KeptStore final : public SessionStore {
@@ -145,13 +178,16 @@ class OverseenSession : public testing::Test {
     });
   }
 
-  SessionOutcome run(Keyboard* other_keyboard = nullptr) {
+  SessionOutcome run(Keyboard* other_keyboard = nullptr, Display* other_display = nullptr) {
     SimulatedKeyboard typist{clock_};
     StoreWriter writer{store_};
     return run_session(
         {.protocol = protocol_,
          .plan = plan_,
-         .booth = {clock_, display_, other_keyboard != nullptr ? *other_keyboard : typist, audio_},
+         .booth = {clock_,
+                   other_display != nullptr ? *other_display : display_,
+                   other_keyboard != nullptr ? *other_keyboard : typist,
+                   audio_},
          .trials = trials_,
          .store = writer,
          .begin = [](const RefreshEstimate&) { return std::int64_t{1}; },
@@ -328,6 +364,67 @@ TEST_F(OverseenSession, ThrowsKeysAwayDuringAPauseExceptEscape) {
   EXPECT_EQ(run(&keyboard).trials, 1);
   EXPECT_GE(pause_pages_.size(), 40U);
   EXPECT_THAT(event_kinds(), ElementsAre("paused", "stopped"));
+}
+
+/// Presses Enter once, at the first poll after it was told to.
+class PatientKeyboard final : public Keyboard {
+ public:
+  explicit PatientKeyboard(const Clock& clock) : typist_{clock}, clock_{clock} {}
+
+  std::vector<Keystroke> poll() override {
+    if (!presses_enter) return typist_.poll();
+    presses_enter = false;
+    return {{.key = Key::Enter, .at = clock_.now(), .source = "scripted"}};
+  }
+
+  void expect(std::string_view answer, Instant from) override { typist_.expect(answer, from); }
+
+  [[nodiscard]] std::string description() const override { return "patient"; }
+
+  bool presses_enter = false;
+
+ private:
+  SimulatedKeyboard typist_;
+  const Clock& clock_;
+};
+
+TEST_F(OverseenSession, PausesWhenTheScreenFallsAsleepUntilSomebodyThereGoesOn) {
+  trials_.add_faces();
+  SleepyDisplay display{clock_};
+  PatientKeyboard keyboard{clock_};
+  std::size_t pages = 0;
+  std::size_t stored = 0;
+  display.on_shown = [&](const Screen& screen) {
+    if (screen.captions.empty() || screen.captions[0].text == kPauseText) return;
+    if (!screen.captions[0].text.starts_with("The experiment pauses")) return;
+    stored = store_.trials.size();
+    display.is_asleep = false;
+    keyboard.presses_enter = ++pages == 50;
+  };
+  overseer_.on_progress = [&](const Progress& progress) {
+    if (is(progress, 1, TrialState::Fixation)) display.is_asleep = true;
+  };
+  EXPECT_TRUE(run(&keyboard, &display).complete);
+  EXPECT_EQ(pages, 50U);
+  EXPECT_EQ(stored, 2U);
+  ASSERT_THAT(store_.trials, SizeIs(kTrials));
+  EXPECT_TRUE(store_.trials[1].flagged);
+  EXPECT_FALSE(store_.trials[2].flagged);
+  EXPECT_THAT(event_kinds(), ElementsAre("paused", "resumed"));
+  EXPECT_THAT(store_.events.front().detail, HasSubstr("the screen reports nothing"));
+}
+
+TEST_F(OverseenSession, APauseOfTheExperimenterDoesNotEndByEnter) {
+  PatientKeyboard keyboard{clock_};
+  ask_at(0, TrialState::Stored, Request::Pause);
+  overseer_.on_request = [&, asked = false]() mutable {
+    if (pause_pages_.size() == 20) keyboard.presses_enter = true;
+    if (asked || pause_pages_.size() < 60) return;
+    overseer_.asked.push_back(Request::Resume);
+    asked = true;
+  };
+  EXPECT_TRUE(run(&keyboard).complete);
+  EXPECT_EQ(pause_pages_.size(), 60U);
 }
 
 TEST_F(OverseenSession, IsNotHeldUpByRequestsWithoutEnd) {

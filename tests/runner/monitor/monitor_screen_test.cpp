@@ -52,7 +52,8 @@ std::vector<std::string> told_lines(const std::string& title = "Words") {
                 .refresh_deviation = 20us,
                 .refreshes_measured = 100,
                 .late_frames = 4,
-                .sound_drift_ppm = -3.25});
+                .sound_drift_ppm = -3.25,
+                .longest_storing = 1'340us});
   }
   tell(TrialReached{at, trial, 8, TrialState::Responding});
   return lines;
@@ -74,6 +75,7 @@ TEST(MonitorScreen, TellsWhatTheExperimenterWantsToKnow) {
   EXPECT_THAT(rows, Contains(HasSubstr("refresh 16.667 ms, SD 0.020 ms")));
   EXPECT_THAT(rows, Contains(HasSubstr("late frames 4")));
   EXPECT_THAT(rows, Contains(HasSubstr("drift -3.2 ppm")));
+  EXPECT_THAT(rows, Contains(HasSubstr("answers stored within 1.3 ms")));
   EXPECT_THAT(rows, Contains(AllOf(StartsWith("A "), HasSubstr("2     2  100 %"))));
   EXPECT_THAT(rows, Contains(AllOf(StartsWith("AV"), HasSubstr("1     0    0 %"))));
   EXPECT_THAT(rows, Contains(HasSubstr("2! AV       stew -> shoe")));

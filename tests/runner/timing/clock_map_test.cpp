@@ -153,6 +153,7 @@ TEST(ClockMap, StartsAnewAfterAnUnderflow) {
         {sample, device.instant(sample) + lost + Duration{std::llround(20'000 * random.normal())}});
   }
   EXPECT_EQ(map.jumps(), 1);
+  EXPECT_EQ(map.latest_jump(), 64'000);
   const auto expected = device.instant(100'000) + Duration{5'333'333};
   EXPECT_LT(std::abs((map.fit()->instant_of(100'000) - expected).count()), 10'000);
 }
@@ -165,6 +166,7 @@ TEST(ClockMap, DoesNotTakeOneLateCallbackForAJump) {
     map.add({i * 128, device.instant(i * 128) + late});
   }
   EXPECT_EQ(map.jumps(), 0);
+  EXPECT_FALSE(map.latest_jump());
   EXPECT_LE(std::abs((map.fit()->instant_of(70'000) - device.instant(70'000)).count()), 1000);
 }
 

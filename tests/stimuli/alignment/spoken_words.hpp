@@ -9,6 +9,7 @@
 
 #include "stimuli/alignment/aligner.hpp"
 #include "stimuli/base/asset.hpp"
+#include "stimuli/base/milliseconds.hpp"
 #include "stimuli/words/word_list.hpp"
 #include "synth/voice/voice.hpp"
 
@@ -24,10 +25,6 @@ inline std::vector<Word> words(std::size_t number) {
     chosen.push_back(list.words.at(i * 29 % list.words.size()));
   }
   return chosen;
-}
-
-inline double milliseconds(Duration duration) {
-  return std::chrono::duration<double, std::milli>{duration}.count();
 }
 
 /// Differences of all boundaries, in ms; both must have the same phones.

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace bimodal::analysis {
+namespace bimodal {
 
 /// Text as it stands in HTML and SVG, in elements and attributes alike.
 [[nodiscard]] std::string escaped(std::string_view text);
@@ -13,4 +13,4 @@ namespace bimodal::analysis {
 /// RFC 4648, with padding.
 [[nodiscard]] std::string base64(std::string_view bytes);
 
-}  // namespace bimodal::analysis
+}  // namespace bimodal

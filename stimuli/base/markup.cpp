@@ -1,8 +1,9 @@
-#include "analysis/report/markup.hpp"
+
+#include "stimuli/base/markup.hpp"
 
 #include <cstdint>
 
-namespace bimodal::analysis {
+namespace bimodal {
 
 std::string escaped(std::string_view text) {
   std::string safe;
@@ -52,4 +53,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace bimodal::analysis
+}  // namespace bimodal

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include <portaudio.h>
+
+#include "runner/devices/portaudio/portaudio_output.hpp"
+#include "runner/devices/portaudio/portaudio_session.hpp"
+#include "runner/realtime/latest_ring.hpp"
+#include "runner/realtime/mixer.hpp"
+#include "runner/timing/stream_times.hpp"
+
+namespace bimodal::runner {
+
+/// The stream behind a PortaudioOutput: what its callback and the control side share (mixer,
+/// times), and what only the control side touches (the rest).
+struct OutputStream {
+  explicit OutputStream(const PortaudioOptions& options);
+  OutputStream(const OutputStream&) = delete;
+  OutputStream& operator=(const OutputStream&) = delete;
+  OutputStream(OutputStream&&) = delete;
+  OutputStream& operator=(OutputStream&&) = delete;
+  ~OutputStream();
+
+  static constexpr std::size_t kReadings = 1024;
+
+  /// What the callback was told, in words of 64 bits.
+  struct Reading {
+    std::int64_t sample;
+    std::int64_t entry_ns;
+    double current;
+    double output;
+    std::int64_t frames;
+  };
+
+  static int callback(const void* input,
+                      void* output,
+                      unsigned long frames,
+                      const PaStreamCallbackTimeInfo* times,
+                      PaStreamCallbackFlags flags,
+                      void* stream) noexcept;
+
+  void open(const PortaudioOptions& options);
+  void await_clock();
+  void collect();
+  void add(const Reading& reading);
+  void follow_onset(std::int64_t sample);
+  void take_reports();
+  void post(const MixerCommand& command);
+
+  PortaudioSession session;
+  AudioDevice device;
+  Hertz rate;
+  std::size_t channels;
+  Mixer mixer;
+  LatestRing<Reading, kReadings> times;
+
+  PaStream* stream = nullptr;
+  Duration latency{};               ///< as the host states it
+  std::int64_t largest_buffer = 0;  ///< frames
+  bool stream_times_plausible = false;
+  std::string_view implausible_because;
+  std::vector<CallbackTimes> first_times;  ///< until the verdict
+  ClockMap clock;
+  Instant last_reading;
+
+  std::map<std::uint64_t, Sound> borrowed;
+  std::uint64_t present = 0;  ///< number of the last scheduled sound; 0: none
+  std::int64_t start = 0;     ///< stream sample for which it is scheduled, without its silent head
+  std::int64_t head = 0;      ///< samples of that
+  Playback playback;
+  bool started = false;
+  bool onset_settled = false;
+};
+
+}  // namespace bimodal::runner
