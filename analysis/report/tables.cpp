@@ -51,7 +51,7 @@ CsvField count(Integer value) {
   return static_cast<std::int64_t>(value);
 }
 
-CsvField milliseconds(const std::optional<Duration>& value) {
+CsvField optional_milliseconds(const std::optional<Duration>& value) {
   if (!value) return {};
   return milliseconds(*value);
 }
@@ -104,8 +104,8 @@ ReportFile trials_table(const Results& results) {
                answered(score.units[0]),
                answered(score.units[1]),
                answered(score.units[2]),
-               milliseconds(trial.first_key),
-               milliseconds(trial.submitted),
+               optional_milliseconds(trial.first_key),
+               optional_milliseconds(trial.submitted),
                count(trial.timed_out ? 1 : 0),
                count(trial.flagged ? 1 : 0),
                count(trial.simulated ? 1 : 0)});

@@ -1,9 +1,7 @@
 """What goes wrong in a booth, done on purpose: nothing that was stored may be lost, and the session
 must go on where it was.
 
-    faults_test.py BIMODAL OBSERVER CLEAR_CLIENT FOLDER
-
-The observer and the client are not used here; the arguments are those of presenter_test.py.
+    faults_test.py BUILD FOLDER
 """
 
 import argparse
@@ -14,7 +12,7 @@ import subprocess
 import sys
 import time
 
-from laboratory import Laboratory, wait_for
+from laboratory import HEIGHT, WIDTH, Laboratory, wait_for
 
 PROTOCOL = pathlib.Path(__file__).with_name("protocol.json")
 
@@ -22,14 +20,14 @@ PROTOCOL = pathlib.Path(__file__).with_name("protocol.json")
 class Session:
     """A real session with simulated answers, in the background."""
 
-    def __init__(self, laboratory, bimodal, data, trials, *options):
+    def __init__(self, laboratory, data, trials, *options, environment=None):
         self.data = data
         self.log = open(data.with_suffix(".log"), "ab")
-        command = [bimodal, "run", PROTOCOL, "--participant", "P01", "--answers", "simulated"]
+        command = [laboratory.bimodal, "run", PROTOCOL, "--participant", "P01", "--answers", "simulated"]
         command += ["--no-practice", "--trials", trials, "--windowed", "--data", data, *options]
         self.process = subprocess.Popen(
             [str(part) for part in command],
-            env=laboratory.environment,
+            env=laboratory.environment | (environment or {}),
             stdin=subprocess.DEVNULL,
             stdout=self.log,
             stderr=subprocess.STDOUT,
@@ -69,10 +67,10 @@ def is_whole(data, trials):
     return stored == list(range(trials)) and sessions == [("complete",)]
 
 
-def sound_server_dies(laboratory, bimodal, folder):
+def sound_server_dies(laboratory, folder):
     """Killed in the middle of a trial, and started again some seconds later."""
     data, trials = folder / "sound.sqlite", 12
-    session = Session(laboratory, bimodal, data, trials)
+    session = Session(laboratory, data, trials)
     session.wait_for_trials(4)
     time.sleep(0.5)
     laboratory.sound_server.send_signal(signal.SIGKILL)
@@ -92,15 +90,15 @@ def sound_server_dies(laboratory, bimodal, folder):
     return broken
 
 
-def session_is_killed(laboratory, bimodal, folder):
+def session_is_killed(laboratory, folder):
     """By SIGKILL, and taken up again."""
     data, trials = folder / "killed.sqlite", 8
-    first = Session(laboratory, bimodal, data, trials)
+    first = Session(laboratory, data, trials)
     first.wait_for_trials(3)
     first.process.kill()
     first.process.wait()
     kept = first.stored()
-    second = Session(laboratory, bimodal, data, trials, "--resume")
+    second = Session(laboratory, data, trials, "--resume")
     code = second.process.wait(180)
     return require(
         code == 0 and kept >= 3 and is_whole(data, trials),
@@ -108,10 +106,61 @@ def session_is_killed(laboratory, bimodal, folder):
     )
 
 
-def screen_dies(laboratory, bimodal, folder):
+def wall_clock_is_set(laboratory, folder):
+    """An hour back and two hours on, in the middle of the session: no instant knows of it."""
+    data, trials = folder / "clock.sqlite", 10
+    preloaded = {"LD_PRELOAD": str(laboratory.stepped_clock)}
+    code = Session(laboratory, data, trials, environment=preloaded).process.wait(180)
+    broken = require(code == 0 and is_whole(data, trials), f"the clock was set, exit code {code}")
+    starts = [at for (at,) in query(data, "SELECT stimulus_start_ns FROM trial ORDER BY trial")]
+    lasting = (starts[-1] - starts[0]) / 1e9
+    broken += require(starts == sorted(starts) and lasting < 60, f"it took {lasting:.1f} s")
+    off = query(data, "SELECT count(*) FROM event WHERE kind IN ('late_frame', 'late_sound')")
+    return broken + require(off[0][0] <= 1, f"{off[0][0]} late frames and sounds")
+
+
+def refresh_changes(laboratory, folder):
+    """From 60 to 75 Hz in the middle of the session: it is noticed, and the session goes on."""
+    data, trials = folder / "refresh.sqlite", 10
+    session = Session(laboratory, data, trials)
+    session.wait_for_trials(4)
+    laboratory.command_screen("output", "HEADLESS-1", "mode", "--custom", f"{WIDTH}x{HEIGHT}@75Hz")
+    code = session.process.wait(180)
+    laboratory.command_screen("output", "HEADLESS-1", "mode", "--custom", f"{WIDTH}x{HEIGHT}@60Hz")
+    flagged = query(data, "SELECT DISTINCT trial FROM event WHERE kind = 'refresh_changed'")
+    after = query(data, "SELECT trial FROM trial WHERE flagged = 0 AND trial > 6")
+    return require(
+        code == 0 and is_whole(data, trials), f"refresh changed: exit code {code}"
+    ) + require(
+        1 <= len(flagged) <= 2 and after,
+        f"{len(flagged)} trials flagged as the refresh changed, {len(after)} kept after it",
+    )
+
+
+def screen_sleeps(laboratory, folder):
+    """The session pauses, with a message, until the experimenter lets it go on."""
+    data, trials = folder / "asleep.sqlite", 8
+    session = Session(laboratory, data, trials)
+    session.wait_for_trials(3)
+    laboratory.command_screen("output", "HEADLESS-1", "dpms", "off")
+    kinds = lambda: [kind for (kind,) in query(data, "SELECT kind FROM event")]
+    wait_for(lambda: "paused" in kinds(), "the pause", 60)
+    kept = session.stored()
+    laboratory.command_screen("output", "HEADLESS-1", "dpms", "on")
+    monitor = [laboratory.bimodal, "monitor", data, "--resume"]
+    told = laboratory.run(monitor, "resume.log")
+    code = session.process.wait(180)
+    silent = query(data, "SELECT DISTINCT trial FROM event WHERE kind = 'screen_silent'")
+    return require(
+        told == 0 and code == 0 and is_whole(data, trials),
+        f"the screen slept after {kept} trials: exit code {code}, {session.stored()} of {trials}",
+    ) + require(silent, f"{len(silent)} trials flagged as the screen was silent")
+
+
+def screen_dies(laboratory, folder):
     """The compositor is killed: the session ends, what it stored stays, and goes on elsewhere."""
     data, trials = folder / "screen.sqlite", 6
-    first = Session(laboratory, bimodal, data, trials)
+    first = Session(laboratory, data, trials)
     first.wait_for_trials(2)
     laboratory.screen.kill()
     laboratory.screen.wait()
@@ -120,7 +169,7 @@ def screen_dies(laboratory, bimodal, folder):
     for file in laboratory.runtime.glob("wayland-*"):
         file.unlink()
     laboratory.start_screen()
-    second = Session(laboratory, bimodal, data, trials, "--resume")
+    second = Session(laboratory, data, trials, "--resume")
     code = second.process.wait(180)
     return require(
         code == 0 and kept >= 2 and is_whole(data, trials),
@@ -130,17 +179,23 @@ def screen_dies(laboratory, bimodal, folder):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("bimodal", "observer", "clear_client"):
-        parser.add_argument(name)
+    parser.add_argument("build", help="where everything was built")
     parser.add_argument("folder", type=pathlib.Path)
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
     for file in given.folder.glob("*.sqlite*"):
         file.unlink()
-    with Laboratory(given.observer, given.folder) as laboratory:
+    with Laboratory(given.build, given.folder) as laboratory:
         broken = sum(
-            fault(laboratory, given.bimodal, given.folder)
-            for fault in (session_is_killed, sound_server_dies, screen_dies)
+            fault(laboratory, given.folder)
+            for fault in (
+                session_is_killed,
+                wall_clock_is_set,
+                refresh_changes,
+                screen_sleeps,
+                sound_server_dies,
+                screen_dies,
+            )
         )
     sys.exit(1 if broken else 0)
 

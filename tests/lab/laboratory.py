@@ -40,10 +40,16 @@ def wait_for(condition, what, seconds=20.0):
 
 
 class Laboratory:
-    """Starts everything on entry, as an ordinary user what refuses root; ends it on exit."""
+    """Starts everything on entry, as an ordinary user what refuses root; ends it on exit.
 
-    def __init__(self, observer, folder):
-        self.observer = str(observer)
+    `build`: where the programs were built, under test and of the laboratory."""
+
+    def __init__(self, build, folder):
+        build = pathlib.Path(build).resolve()
+        self.bimodal = build / "bin" / "bimodal"
+        self.observer = build / "tests" / "lab_observer"
+        self.clear_client = build / "tests" / "lab_clear_client"
+        self.stepped_clock = build / "tests" / "liblab_stepped_clock.so"
         self.folder = pathlib.Path(folder)
         self.processes = []
 
@@ -125,6 +131,13 @@ class Laboratory:
         )
         self.environment["WAYLAND_DISPLAY"] = socket[0]
 
+    def command_screen(self, *command):
+        """Asks the compositor, as `swaymsg` does."""
+        (socket,) = self.runtime.glob("sway-ipc.*.sock")
+        subprocess.run(
+            ["swaymsg", "-s", str(socket), "--", *command], check=True, stdout=subprocess.DEVNULL
+        )
+
     def start_sound(self):
         server = self.environment["JACK_DEFAULT_SERVER"]
         urgency = ["-R", "-P", "60"] if may_be_urgent() else ["-r"]
@@ -162,7 +175,7 @@ class Observation:
 
     def __init__(self, laboratory, name, region, columns, channels):
         self.file = laboratory.folder / f"{name}.observed.jsonl"
-        self.command = [laboratory.observer, str(self.file)]
+        self.command = [str(laboratory.observer), str(self.file)]
         self.command += [str(number) for number in (*region, columns, channels)]
         self.environment = laboratory.environment
         self.seen = []

@@ -1,6 +1,6 @@
 """Measures the presenter from outside, and requires what the project promises about its timing.
 
-    presenter_test.py BIMODAL OBSERVER CLEAR_CLIENT FOLDER [--trials N] [--session-trials N]
+    presenter_test.py BUILD FOLDER [--trials N] [--session-trials N]
 
 Prints one line a finding, writes FOLDER/figures.json, and ends with 1 if a promise is broken.
 """
@@ -9,6 +9,7 @@ import argparse
 import json
 import pathlib
 import sqlite3
+import statistics
 import sys
 
 import judgement
@@ -43,12 +44,12 @@ def level_of(frame):
     return 255 * (frame % 4) // 3
 
 
-def flashes(laboratory, bimodal, name, trials, *options):
+def flashes(laboratory, name, trials, *options):
     """Runs `bimodal timing` under observation: its reports, and what was seen."""
     reports = laboratory.folder / name
     with laboratory.observe(name, REGION) as observation:
         code = laboratory.run(
-            [bimodal, "timing", "--trials", trials, "--width", WIDTH, "--height", HEIGHT]
+            [laboratory.bimodal, "timing", "--trials", trials, "--width", WIDTH, "--height", HEIGHT]
             + ["-o", reports, *options],
             f"{name}.log",
         )
@@ -146,25 +147,25 @@ PATCH = (8, 8, 32, 16)  # inside the patch of protocol.json
 CLICK = 2  # its channel, from 0
 
 
-def session(laboratory, bimodal, trials):
-    """Runs a real protocol under observation: its stored trials in the form of reports, and what was
-    seen. Films are prepared meanwhile."""
-    data = laboratory.folder / "session.sqlite"
-    for file in laboratory.folder.glob("session.sqlite*"):
+def session(laboratory, name, trials):
+    """Runs a real protocol under observation: its data file, and what was seen."""
+    data = laboratory.folder / f"{name}.sqlite"
+    for file in laboratory.folder.glob(f"{name}.sqlite*"):
         file.unlink()
     protocol = pathlib.Path(__file__).with_name("protocol.json")
-    with laboratory.observe("session", PATCH, columns=1, channels=3) as observation:
+    with laboratory.observe(name, PATCH, columns=1, channels=3) as observation:
         code = laboratory.run(
-            [bimodal, "run", protocol, "--participant", "P01", "--answers", "simulated"]
+            [laboratory.bimodal, "run", protocol, "--participant", "P01", "--answers", "simulated"]
             + ["--no-practice", "--trials", trials, "--windowed", "--data", data],
-            "session.log",
+            f"{name}.log",
         )
     if code != 0:
-        sys.exit(f"bimodal run ended with {code}; see {laboratory.folder / 'session.log'}")
-    return stored_trials(data), observation.seen
+        sys.exit(f"bimodal run ended with {code}; see {laboratory.folder / name}.log")
+    return data, observation.seen
 
 
 def stored_trials(data):
+    """In the form of the reports of `bimodal timing`."""
     with sqlite3.connect(f"file:{data}?mode=ro", uri=True) as database:
         rows = database.execute(
             "SELECT t.trial, t.flagged, v.reported_ns, a.reported_ns FROM trial t"
@@ -175,6 +176,22 @@ def stored_trials(data):
         {"flagged": bool(flagged), "visual_ns": visual, "auditory_ns": auditory}
         for _, flagged, visual, auditory in rows
     ]
+
+
+def missed_by_session(data):
+    """Refreshes between the frames of its films that showed no new one; and how many it showed."""
+    with sqlite3.connect(f"file:{data}?mode=ro", uri=True) as database:
+        rows = database.execute("SELECT refresh_shown_ns FROM trial").fetchall()
+    films = [json.loads(shown) for (shown,) in rows]
+    gaps = [after - before for shown in films for before, after in zip(shown, shown[1:])]
+    period = statistics.median(gaps)
+    return sum(round(gap / period) - 1 for gap in gaps), len(gaps)
+
+
+def how_soon_stored(laboratory, name):
+    """What the session says of the time from an answer's last stroke until it was on the disk."""
+    log = (laboratory.folder / f"{name}.log").read_text()
+    return next(line for line in log.splitlines() if line.startswith("answers were on the disk"))
 
 
 def require_instruments(findings, trials, seen):
@@ -203,37 +220,50 @@ def require_instruments(findings, trials, seen):
     )
 
 
-def misses_of_a_client(laboratory, clear_client, refreshes):
+def misses_of_a_client(laboratory, refreshes):
     with laboratory.observe("clear", REGION) as observation:
-        laboratory.run([clear_client, refreshes], "clear.log")
+        laboratory.run([laboratory.clear_client, refreshes], "clear.log")
     return judgement.missed_refreshes(observation.seen)
+
+
+def chance(missed, drawn, refreshes):
+    """As many as the client that only clears the screen would miss in so many refreshes, and chance."""
+    expected = missed * refreshes / max(drawn, 1)
+    return round(expected + 3 * (expected + 1) ** 0.5)
 
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("bimodal")
-    parser.add_argument("observer")
-    parser.add_argument("clear_client")
-    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("build", help="where everything was built")
+    parser.add_argument("folder", type=pathlib.Path, help="what was seen and found goes there")
     parser.add_argument("--trials", type=int, default=201)
     parser.add_argument("--session-trials", type=int, default=81)
     given = parser.parse_args()
     findings = Findings()
-    with Laboratory(given.observer, given.folder) as laboratory:
-        missed, drawn = misses_of_a_client(laboratory, given.clear_client, 3600)
+    with Laboratory(given.build, given.folder) as laboratory:
+        missed, drawn = misses_of_a_client(laboratory, 3600)
         findings.note("a client that only clears the screen", {"missed": missed, "of": drawn})
-        trials, seen = flashes(laboratory, given.bimodal, "flashes", given.trials)
+        trials, seen = flashes(laboratory, "flashes", given.trials)
         compared = Compared(trials, seen)
         refreshes = len(compared.frame_errors)
-        # As many as that client misses in as many refreshes, and chance.
-        expected = missed * refreshes / max(drawn, 1)
-        most = round(expected + 3 * (expected + 1) ** 0.5)
+        most = chance(missed, drawn, refreshes)
         require_promises(findings, "flashes", compared, most)
 
-        trials, seen = session(laboratory, given.bimodal, given.session_trials)
+        data, seen = session(laboratory, "session", given.session_trials)
+        trials = stored_trials(data)
         require_promises(findings, "session", Compared(trials, seen, channel=CLICK), most)
+        print(f"       session: {how_soon_stored(laboratory, 'session')}", flush=True)
+        # Its films were drawn while it ran; now they are there.
+        again, _ = session(laboratory, "prepared", given.session_trials // 4)
+        preparing, prepared = missed_by_session(data), missed_by_session(again)
+        findings.note("refreshes missed, of", {"preparing": preparing, "prepared": prepared})
+        findings.require(
+            "session",
+            preparing[0] <= chance(missed, drawn, preparing[1]),
+            f"{preparing[0]} of {preparing[1]} refreshes missed while films were prepared",
+        )
 
-        trials, seen = flashes(laboratory, given.bimodal, "offset", 21, "--av-offset-ms", "20")
+        trials, seen = flashes(laboratory, "offset", 21, "--av-offset-ms", "20")
         shifted = Compared(trials, seen, 20.0).figures()["av_offset"]
         findings.require(
             "an intended offset of 20 ms",
@@ -241,11 +271,11 @@ def main():
             f"{20 + shifted['mean_ms']:+.3f} ms, SD {shifted['sd_ms']:.3f}",
         )
 
-        trials, seen = flashes(laboratory, given.bimodal, "instruments", 41, *INSTRUMENTS)
+        trials, seen = flashes(laboratory, "instruments", 41, *INSTRUMENTS)
         require_instruments(findings, trials, seen)
 
         with Load():
-            trials, seen = flashes(laboratory, given.bimodal, "loaded", 61)
+            trials, seen = flashes(laboratory, "loaded", 61)
         loaded = Compared(trials, seen)
         findings.note("both cores loaded", loaded.figures())
         frame_ms = 1000 / 60
