@@ -1,5 +1,12 @@
 #include "runner/booth/refresh_watch.hpp"
 
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "stimuli/base/milliseconds.hpp"
+
 namespace bimodal::runner {
 
 void watch_refreshes(const Booth& booth, Oversight& oversight) {
@@ -11,6 +18,20 @@ void watch_refreshes(const Booth& booth, Oversight& oversight) {
     static_cast<void>(booth.display.present({}, booth.clock.now()));
     static_cast<void>(booth.keyboard.poll());
   }
+}
+
+std::string ScreenGuard::trouble(const TrialRecord& record, const RefreshEstimate& refresh) {
+  constexpr int kPart = 50;  // of the period: 2 %
+  if (std::ranges::find(record.events, "screen_silent", &EventRecord::kind) !=
+      record.events.end()) {
+    return "the screen reports nothing: it may be asleep, or its window hidden";
+  }
+  if (refresh.count == 0) return {};  // it is not measured
+  const auto before = std::exchange(period_, refresh.period).value_or(refresh.period);
+  if (std::chrono::abs(refresh.period - before) <= before / kPart) return {};
+  return fmt::format("the screen refreshes every {:.2f} ms, not every {:.2f} ms as before",
+                     milliseconds(refresh.period),
+                     milliseconds(before));
 }
 
 }  // namespace bimodal::runner

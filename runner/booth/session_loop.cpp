@@ -183,11 +183,8 @@ class SessionLoop {
     TrialEnd end{.stored = true, .flagged = record.flagged};
     outcome_.flagged += record.flagged ? 1 : 0;
     teller_.answered(planned, record, underflows);
-    if (std::ranges::find(record.events, "screen_silent", &EventRecord::kind) !=
-        record.events.end()) {
-      oversight_.ask_for_pause(
-          "the screen reports nothing: it may be asleep, or its window hidden");
-    }
+    const auto trouble = screen_guard_.trouble(record, booth_.display.refresh());
+    if (!trouble.empty()) oversight_.ask_for_pause(trouble);
     const auto since = since_last_stroke(booth_, machine, record);
     auto stored = parts_.store.add(*outcome_.session, std::move(record));
     end.goes_on = pause_until(stored);
@@ -254,6 +251,9 @@ class SessionLoop {
   bool pause() {
     store_event("paused", oversight_.reason());
     parts_.announce("paused: " + oversight_.reason());
+    if (parts_.answer && oversight_.resumes_on_the_spot()) {
+      booth_.keyboard.expect("", booth_.clock.now());
+    }
     const auto end = hold_pause(booth_, oversight_);
     const bool resumed = end == PauseEnd::Resumed;
     parts_.announce(resumed ? "resumed" : "stopped");
@@ -283,6 +283,7 @@ class SessionLoop {
   TriggerLog triggers_;
   Oversight oversight_;
   ProgressTeller teller_{booth_, oversight_};
+  ScreenGuard screen_guard_;
   Question question_{question_of(parts_.protocol)};
   Repetitions repetitions_;
   std::map<std::size_t, PreparedTrial> kept_;  ///< to be repeated, by the original's index

@@ -80,7 +80,12 @@ class SleepyDisplay final : public Display {
 
   void wait(Instant until) override { display_.wait(until); }
 
-  [[nodiscard]] RefreshEstimate refresh() const override { return display_.refresh(); }
+  [[nodiscard]] RefreshEstimate refresh() const override {
+    auto measured = display_.refresh();
+    measured.period = period.value_or(measured.period);
+    measured.count = 100;
+    return measured;
+  }
 
   [[nodiscard]] std::string kind() const override { return "sleepy"; }
 
@@ -89,6 +94,7 @@ class SleepyDisplay final : public Display {
   [[nodiscard]] TimeSource time_source() const override { return TimeSource::DriverReported; }
 
   bool is_asleep = false;
+  std::optional<Duration> period;  ///< that it says it has
   std::function<void(const Screen&)> on_shown;
 
  private:
@@ -412,6 +418,18 @@ TEST_F(OverseenSession, PausesWhenTheScreenFallsAsleepUntilSomebodyThereGoesOn) 
   EXPECT_FALSE(store_.trials[2].flagged);
   EXPECT_THAT(event_kinds(), ElementsAre("paused", "resumed"));
   EXPECT_THAT(store_.events.front().detail, HasSubstr("the screen reports nothing"));
+}
+
+TEST_F(OverseenSession, PausesWhenTheScreenHasAnotherRefreshThanBefore) {
+  SleepyDisplay display{clock_};
+  overseer_.on_progress = [&](const Progress& progress) {
+    if (is(progress, 1, TrialState::Stored)) display.period = 13'333us;
+  };
+  EXPECT_TRUE(run(nullptr, &display).complete);  // the simulated participant goes on by itself
+  EXPECT_THAT(store_.trials, SizeIs(kTrials));
+  EXPECT_THAT(event_kinds(), ElementsAre("paused", "resumed"));
+  EXPECT_THAT(store_.events.front().detail,
+              HasSubstr("every 13.33 ms, not every 16.67 ms as before"));
 }
 
 TEST_F(OverseenSession, APauseOfTheExperimenterDoesNotEndByEnter) {
