@@ -1,3 +1,9 @@
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "runner/cli/timing_report.hpp"
@@ -29,10 +35,30 @@ Panel histogram_panel(const TimingSummary& summary) {
   if (!histogram.bins.empty()) {
     outline.points.push_back({histogram.bins.back().from_ms + histogram.width_ms, 0});
   }
-  return {.title = "How often",
-          .x_label = "audio-visual offset off the intended one (ms)",
-          .y_label = "trials",
-          .curves = {std::move(outline)}};
+  Panel panel{.title = "How often",
+              .x_label = "audio-visual offset off the intended one (ms)",
+              .y_label = "trials",
+              .curves = {std::move(outline)}};
+  if (!histogram.bins.empty()) {
+    panel.x_range = {histogram.bins.front().from_ms - histogram.width_ms,
+                     histogram.bins.back().from_ms + 2 * histogram.width_ms};
+  }
+  return panel;
+}
+
+/// Leaves room above the marks for the legend.
+std::optional<std::pair<double, double>> range_of(const std::vector<Marks>& marks) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const auto& each : marks) {
+    for (const auto& point : each.points) {
+      low = std::min(low, point.y);
+      high = std::max(high, point.y);
+    }
+  }
+  const double extent = high - low;
+  if (!(extent > 0.0)) return std::nullopt;
+  return std::pair{low - 0.05 * extent, high + 0.4 * extent};
 }
 
 Panel course_panel(const TimingFindings& findings) {
@@ -50,6 +76,7 @@ Panel course_panel(const TimingFindings& findings) {
   Panel panel{.title = "Trial by trial", .x_label = "trial", .y_label = "offset off (ms)"};
   if (!kept.points.empty()) panel.marks.push_back(std::move(kept));
   if (!flagged.points.empty()) panel.marks.push_back(std::move(flagged));
+  panel.y_range = range_of(panel.marks);
   return panel;
 }
 
