@@ -14,6 +14,7 @@
 #include "runner/booth/progress_teller.hpp"
 #include "runner/booth/refresh_watch.hpp"
 #include "runner/booth/stop_question.hpp"
+#include "runner/booth/stimulus_presentation.hpp"
 #include "runner/booth/trial_presentation.hpp"
 #include "runner/devices/device_error.hpp"
 #include "runner/session/repetitions.hpp"
@@ -179,6 +180,7 @@ class SessionLoop {
       return {};
     }
     finish_triggers(booth_, machine, triggers_, record);
+    if (trial.sound) review_sound(booth_, record);
     record.excluded = record.flagged && parts_.protocol.timing.flagged != protocols::Flagged::Keep;
     TrialEnd end{.stored = true, .flagged = record.flagged};
     outcome_.flagged += record.flagged ? 1 : 0;

@@ -26,12 +26,11 @@ ShownRefreshes::ShownRefreshes(const PreparedTrial& trial, RefreshRecord& record
   record_.shown.reserve(expected);
 }
 
-void ShownRefreshes::add(std::int64_t frame,
-                         Instant due,
-                         const Presentation& shown,
-                         Duration period) {
-  if (last_ && period > Duration::zero()) {
-    const auto refreshes = (shown.onset - *last_ + period / 2) / period;
+void ShownRefreshes::add(
+    std::int64_t frame, Instant due, const Presentation& shown, Instant first, Duration period) {
+  if (period > Duration::zero()) {
+    const auto before = last_.value_or(first - period);
+    const auto refreshes = (shown.onset - before + period / 2) / period;
     missed_ += static_cast<int>(std::max<std::int64_t>(refreshes - 1, 0));
   }
   last_ = shown.onset;
@@ -44,6 +43,13 @@ void ShownRefreshes::add(std::int64_t frame,
   if (zero_ || frame < zero_frame_) return;
   zero_ = shown;
   zero_since_ = frame_time(trial_.layout, trial_.drawing_rate, frame);
+}
+
+void ShownRefreshes::finish(const CueSheet& cues, Duration period) {
+  if (trial_.frames == 0 || period <= Duration::zero()) return;
+  // A quarter of a period is forgiven, where a frame ends between two refreshes.
+  auto refresh = (last_ ? *last_ + period : cues.first_refresh()) + period / 4;
+  for (; cues.frame_at(refresh); refresh += period) ++missed_;
 }
 
 std::optional<Instant> ShownRefreshes::zero() const {

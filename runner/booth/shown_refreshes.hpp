@@ -4,6 +4,7 @@
 
 #include "runner/devices/display.hpp"
 #include "runner/preparation/trial_preparer.hpp"
+#include "runner/session/cue_sheet.hpp"
 #include "runner/store/records.hpp"
 
 namespace bimodal::runner {
@@ -14,11 +15,13 @@ class ShownRefreshes {
  public:
   ShownRefreshes(const PreparedTrial& trial, RefreshRecord& record);
 
-  /// A refresh before the stimulus, from which gaps are counted.
-  void begin(Instant shown) { last_ = shown; }
+  /// Frame `frame` was to be shown at `due`, and was; `period` is the screen's. Gaps are counted
+  /// from `first`, the refresh at which frames were to begin.
+  void add(
+      std::int64_t frame, Instant due, const Presentation& shown, Instant first, Duration period);
 
-  /// Frame `frame` was to be shown at `due`, and was; `period` is the screen's.
-  void add(std::int64_t frame, Instant due, const Presentation& shown, Duration period);
+  /// Nothing more is shown: counts the refreshes up to the end of the frames that `cues` plans.
+  void finish(const CueSheet& cues, Duration period);
 
   /// When the recording's time zero was shown: if its own frame was left out, when it would have
   /// been by the first one after it. Absent: it was not.
@@ -27,7 +30,8 @@ class ShownRefreshes {
   /// By whose word.
   [[nodiscard]] TimeSource source() const;
 
-  /// Refreshes that went by with the picture of the one before.
+  /// Refreshes at which a frame was due and none was shown: at the beginning, in between, at the
+  /// end.
   [[nodiscard]] int missed() const { return missed_; }
 
   /// Frames that were shown more than half a period before they were due.

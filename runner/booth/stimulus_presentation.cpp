@@ -40,6 +40,16 @@ Duration silence_of(const Sound& sound) {
   return Duration{std::llround(seconds * 1e9)};
 }
 
+constexpr const char* kSoundJump = "sound_jump";
+
+void note_jump(TrialRecord& record, Instant now) {
+  record.events.push_back(
+      {.at = since_zero(now),
+       .kind = kSoundJump,
+       .detail = "the sound's clock jumped: samples came late by whole buffers"});
+  record.flagged = true;
+}
+
 class StimulusLoop {
  public:
   StimulusLoop(const Booth& booth,
@@ -66,17 +76,17 @@ class StimulusLoop {
       if (due >= cues_.end()) break;
       show(due);
       triggers_.follow_sound(trial_, cues_, booth_);
+      if (trial_.sound) static_cast<void>(booth_.audio.playback());  // its clock is followed
       take_strokes();
     }
     record_.stimulus_start = since_zero(cues_.first_refresh());
     record_.stimulus_end = since_zero(cues_.end());
     triggers_.send(protocols::TriggerEvent::StimulusEnd, cues_.end());
+    shown_.finish(cues_, booth_.display.refresh().period);
     if (trial_.frames > 0) report_picture();
     if (trial_.sound) report_sound();
     report_offset();
-    if (trial_.sound && clock_jumps() != jumps) {
-      note("sound_jump", "the sound's clock jumped: samples came late by whole buffers");
-    }
+    if (trial_.sound && clock_jumps() != jumps) note_jump(record_, booth_.clock.now());
     if (screen_rate_changes() != rate_changes) {
       note("refresh_changed", "the screen has another refresh rate than before");
     }
@@ -137,9 +147,8 @@ class StimulusLoop {
     const auto presented = booth_.display.present(screen_, due);
     if (screen_.at_zero) pass_zero(presented);
     if (frame) {
-      shown_.add(*frame, due, presented, booth_.display.refresh().period);
-    } else {
-      shown_.begin(presented.onset);
+      const auto period = booth_.display.refresh().period;
+      shown_.add(*frame, due, presented, cues_.first_refresh(), period);
     }
     last_shown_ = presented.onset;
   }
@@ -171,6 +180,7 @@ class StimulusLoop {
       onset.reported = since_zero(*zero + booth_.reference.line_after);
     }
     record_.onsets.push_back(onset);
+    if (!shown_.zero()) note("visual_unreported", "nothing was shown of time zero or after it");
     note_refreshes("late_frame", shown_.missed(), "late");
     note_refreshes("early_frame", shown_.early(), "early");
     if (booth_.display.time_source() != TimeSource::Predicted) {
@@ -269,6 +279,18 @@ class StimulusLoop {
 };
 
 }  // namespace
+
+void review_sound(const Booth& booth, TrialRecord& record) {
+  const auto latest = booth.clock.now() + kReportPatience;
+  auto playback = booth.audio.playback();
+  while (!playback.known && booth.clock.now() < latest) {
+    booth.display.wait(booth.clock.now() + 1ms);
+    playback = booth.audio.playback();
+  }
+  const bool is_noted =
+      std::ranges::find(record.events, kSoundJump, &EventRecord::kind) != record.events.end();
+  if (playback.jumped && !is_noted) note_jump(record, booth.clock.now());
+}
 
 void present_stimulus(const Booth& booth,
                       const PreparedTrial& trial,

@@ -24,4 +24,8 @@ void present_stimulus(const Booth& booth,
                       TriggerLog& triggers,
                       TrialRecord& record);
 
+/// Once the answer is there: waits until everything is known of the trial's sound, which is the
+/// case some buffers after its end, and flags the trial if the sound's clock jumped in those.
+void review_sound(const Booth& booth, TrialRecord& record);
+
 }  // namespace bimodal::runner

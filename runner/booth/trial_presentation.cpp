@@ -33,11 +33,12 @@ std::vector<TrialCommand> present_trial(const Booth& booth,
   } while (booth.clock.now() + kSchedulingMargin + sound_ahead < earliest);
   if (begins) begins();
   const auto now = booth.clock.now();
-  CueSheet cues{trial.layout,
-                trial.drawing_rate,
-                booth.display.refresh(),
-                std::max(earliest, now + kSchedulingMargin),
-                now + booth.audio.lead_time()};
+  CueSheet cues{
+      trial.layout,
+      trial.drawing_rate,
+      booth.display.refresh(),
+      std::max(earliest, now + kSchedulingMargin),
+      now + booth.audio.lead_time() + booth.reference.sound_after - booth.reference.line_after};
   present_stimulus(booth, trial, cues, machine, triggers, record);
   return machine.on(StimulusEnded{cues.end()});
 }

@@ -103,6 +103,14 @@ std::optional<std::filesystem::path> folder_named(const char* variable) {
   return std::filesystem::path{value};
 }
 
+std::string text_to_write(const LevelTable& table) {
+  try {
+    return table.text();
+  } catch (const nlohmann::json::exception&) {
+    throw Error{"nothing was kept: a text is not UTF-8; write it with plain letters"};
+  }
+}
+
 }  // namespace
 
 bool same_place(const MeasuredLevel& one, const MeasuredLevel& other) {
@@ -165,9 +173,14 @@ LevelTable read_levels(const std::filesystem::path& file) {
 }
 
 void write_levels(const std::filesystem::path& file, const LevelTable& table) {
+  std::vector<Diagnostic> diagnostics;
+  const auto text = text_to_write(table);
+  if (!read_levels_text(text, file.string(), diagnostics)) {
+    throw Error{fmt::format("nothing was kept: {}", describe(diagnostics.front()))};
+  }
   std::error_code ignored;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), ignored);
-  write_file(file, table.text());
+  write_file(file, text);
 }
 
 }  // namespace bimodal::runner

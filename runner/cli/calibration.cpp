@@ -1,5 +1,6 @@
 #include "runner/cli/calibration.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -16,6 +17,18 @@ namespace bimodal::runner {
 namespace {
 
 constexpr int kFormat = 1;
+
+/// Of what has been measured on any screen and loudspeaker.
+bool is_plausible(const Moments& moments) {
+  constexpr double kFarthestMs = 500.0;
+  constexpr std::size_t kFewest = 2;
+  constexpr std::size_t kMost = 1'000'000;
+  const auto near = [](double value) { return std::abs(value) <= kFarthestMs; };  // NaN is not
+  return moments.count >= kFewest && moments.count <= kMost && near(moments.mean_ms) &&
+         near(moments.smallest_ms) && near(moments.largest_ms) && near(moments.deviation_ms) &&
+         moments.deviation_ms >= 0.0 && moments.smallest_ms <= moments.mean_ms &&
+         moments.mean_ms <= moments.largest_ms;
+}
 
 Moments moments_from(const nlohmann::json& json) {
   return {.count = json.at("trials").get<std::size_t>(),
@@ -72,7 +85,7 @@ void write_calibration(const Calibration& calibration, const std::filesystem::pa
 
 Calibration read_calibration(const std::filesystem::path& file) {
   std::ifstream in{file, std::ios::binary};
-  if (!in) {
+  if (!in || !std::filesystem::is_regular_file(file)) {
     throw Error{
         fmt::format("there is no calibration '{}'; make one by `bimodal timing --input "
                     "DEVICE --calibration NAME`, or leave --calibration out",
@@ -81,20 +94,28 @@ Calibration read_calibration(const std::filesystem::path& file) {
   const std::string text{std::istreambuf_iterator<char>{in}, {}};
   const auto json = nlohmann::json::parse(text, nullptr, false);
   try {
-    if (json.at("bimodal_calibration").get<int>() != kFormat) {
+    if (json.at("bimodal_calibration") != kFormat) {
       throw Error{
           fmt::format("'{}' is of a format that this program does not know; make it anew "
                       "by `bimodal timing`",
                       file.string())};
     }
-    return {.name = json.at("name").get<std::string>(),
-            .made_utc = json.at("made_utc").get<std::string>(),
-            .display = json.at("display").get<std::string>(),
-            .audio = json.at("audio").get<std::string>(),
-            .input = json.at("input").get<std::string>(),
-            .offset = moments_from(json.at("audio_visual_offset")),
-            .visual = moments_from(json.at("visual_true_minus_reported")),
-            .auditory = moments_from(json.at("auditory_true_minus_reported"))};
+    Calibration calibration{.name = json.at("name").get<std::string>(),
+                            .made_utc = json.at("made_utc").get<std::string>(),
+                            .display = json.at("display").get<std::string>(),
+                            .audio = json.at("audio").get<std::string>(),
+                            .input = json.at("input").get<std::string>(),
+                            .offset = moments_from(json.at("audio_visual_offset")),
+                            .visual = moments_from(json.at("visual_true_minus_reported")),
+                            .auditory = moments_from(json.at("auditory_true_minus_reported"))};
+    if (!is_plausible(calibration.offset) || !is_plausible(calibration.visual) ||
+        !is_plausible(calibration.auditory)) {
+      throw Error{fmt::format(
+          "'{}' has numbers that no measurement gives; make it anew by `bimodal timing --input "
+          "DEVICE --calibration NAME`",
+          file.string())};
+    }
+    return calibration;
   } catch (const nlohmann::json::exception&) {
     throw Error{
         fmt::format("'{}' is no calibration, or is damaged; make it anew by `bimodal "

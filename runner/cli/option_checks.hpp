@@ -20,6 +20,14 @@ namespace bimodal::runner {
   return {[](std::string& text) { return whole_number_fault(text, Seed{0}); }, ""};
 }
 
+/// A script's variable may be empty where a name is meant.
+[[nodiscard]] inline CLI::Validator name_that_is_not_empty() {
+  return {[](std::string& text) -> std::string {
+            return text.empty() ? "an empty name was given; leave the option out or name one" : "";
+          },
+          ""};
+}
+
 /// CLI::Range lets "nan" pass, since it is neither below nor above anything.
 [[nodiscard]] inline CLI::Validator finite_number() {
   return {[](std::string& text) -> std::string {

@@ -131,6 +131,14 @@ ExitCode run(const RunOptions& options) {
   record.audio = record_of(*devices->audio);
   record.timing = devices->timing;
   record.keyboard_description = devices->keyboard->description();
+  record.sound_levels = level.record;
+  if (resumption) require_same_terms(*resumption, record);
+  const bool drops_repetitions = resumption && !resumption->owed.empty() &&
+                                 protocol.timing.flagged == protocols::Flagged::Repeat;
+  if (drops_repetitions) {
+    tell(fmt::format("trials flagged before that are not presented again: {}",
+                     resumption->owed.size()));
+  }
   WatchedSession watched{data, record, protocol, plan, devices->clock};
   const auto done = resumption ? resumption->done : std::set<std::size_t>{};
   PreparationQueue queue{rest_of(plan, done), [&] {
@@ -145,7 +153,6 @@ ExitCode run(const RunOptions& options) {
                          }};
   const auto begin = [&](const RefreshEstimate& refresh) {
     record.started_utc = utc_now();
-    record.sound_levels = level.record;
     record.refresh_period = refresh.period;
     record.refresh_deviation = refresh.deviation;
     record.refresh_count = refresh.count;
@@ -157,6 +164,7 @@ ExitCode run(const RunOptions& options) {
                      .resumption = resumption,
                      .is_shortened = options.trials || options.no_practice,
                      .left_out = left_out,
+                     .drops_repetitions = drops_repetitions,
                      .at = devices->clock.now()});
   };
   stop_at_interrupt();
@@ -182,7 +190,7 @@ ExitCode run(const RunOptions& options) {
   try {
     const auto outcome = run_session(parts);
     if (session) store->end(*session, outcome.complete ? "complete" : "stopped", utc_now());
-    report_outcome(outcome, plan.size(), data.string());
+    report_outcome(outcome, plan.size(), resumption, data.string());
   } catch (const SoundLost& loss) {
     if (!session) throw;
     outlast_lost_sound(loss, booth, writer, *session, tell);
@@ -238,7 +246,8 @@ void add_run(CLI::App& app, Verb& chosen) {
   verb->add_flag("--strict", options->strict, "refuses a screen that is not for timing");
   verb->add_option("--calibration",
                    options->calibration,
-                   "times sound and picture by what instruments found (see `bimodal timing`)");
+                   "times sound and picture by what instruments found (see `bimodal timing`)")
+      ->check(name_that_is_not_empty());
   verb->add_flag("--again", options->again, "although this participant has this session already");
   verb->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

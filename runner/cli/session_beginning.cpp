@@ -28,6 +28,12 @@ std::int64_t begin_in(SessionStore& store, const Beginning& beginning) {
     const auto id = beginning.resumption->session;
     store.reopen(id);
     note(id, "resumed", resumed_text(beginning.record));
+    if (beginning.drops_repetitions) {
+      note(id,
+           "repetitions_dropped",
+           fmt::format("flagged before the session was cut off, and not presented again: trials {}",
+                       fmt::join(beginning.resumption->owed, ", ")));
+    }
     return id;
   }
   const auto id = store.begin(beginning.record, beginning.plan);

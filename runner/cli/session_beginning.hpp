@@ -17,6 +17,7 @@ struct Beginning {
   const std::optional<Resumption>& resumption;
   bool is_shortened = false;    ///< by --trials or --no-practice
   const std::string& left_out;  ///< triggers; empty: none
+  bool drops_repetitions = false;
   Instant at;
 };
 

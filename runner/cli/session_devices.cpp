@@ -188,6 +188,9 @@ Booth booth_of(SessionDevices& devices) {
 }
 
 bool may_go_on(SessionDevices& devices, bool strict, bool ask) {
+  if (!devices.window && strict) {
+    throw DeviceError{"there is no screen whose timing --strict could judge; leave it out"};
+  }
   if (!devices.window) return true;
   const auto& gate = devices.gate;
   fmt::print(

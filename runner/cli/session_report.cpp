@@ -30,17 +30,23 @@ void report_storing(std::vector<Duration> delays) {
 
 }  // namespace
 
-void report_outcome(const SessionOutcome& outcome, std::size_t planned, const std::string& data) {
+void report_outcome(const SessionOutcome& outcome,
+                    std::size_t planned,
+                    const std::optional<Resumption>& earlier,
+                    const std::string& data) {
+  const auto before = earlier ? earlier->done.size() : 0;
   fmt::print("{}: {} of {} trials stored in {}",
              outcome.complete ? "complete" : "stopped",
-             outcome.trials,
+             before + static_cast<std::size_t>(outcome.trials),
              planned,
              data);
+  if (before > 0) fmt::print(", {} of them before", before);
   if (outcome.repeated > 0) fmt::print("; {} repeated", outcome.repeated);
-  if (outcome.flagged == 0) {
+  const auto flagged = outcome.flagged + (earlier ? earlier->flagged : 0);
+  if (flagged == 0) {
     fmt::print("; timing as planned in all\n");
   } else {
-    fmt::print("; timing flagged in {}, see table event\n", outcome.flagged);
+    fmt::print("; timing flagged in {}, see table event\n", flagged);
   }
   report_storing(outcome.storing);
   if (!outcome.complete) {

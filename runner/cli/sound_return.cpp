@@ -74,9 +74,10 @@ class Look {
   std::optional<bool> found() {
     if (process_ <= 0) return false;
     int status = 0;
-    if (::waitpid(process_, &status, WNOHANG) == 0) return std::nullopt;
+    const auto ended = ::waitpid(process_, &status, WNOHANG);
+    if (ended == 0) return std::nullopt;
     process_ = -1;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
  private:

@@ -110,8 +110,17 @@ TimingFindings measure(Bench& bench, const TimingOptions& options) {
   return findings;
 }
 
+/// Before anything is measured.
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) {
+    throw Error{fmt::format(
+        "cannot make the folder '{}': {}; give another by -o", folder.string(), failure.message())};
+  }
+}
+
 void write_files(const TimingFindings& findings, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
   write_file(folder / "timing.json", as_json(findings));
   write_file(folder / "timing.html", as_page(findings));
   fmt::print("\n{}\n", (folder / "timing.html").string());
@@ -148,6 +157,12 @@ void keep_calibration(const TimingFindings& findings, const TimingOptions& optio
 }
 
 ExitCode time(const TimingOptions& options) {
+  if (!options.input.empty() && options.photodiode == options.loopback) {
+    throw Error{
+        fmt::format("photodiode and cable are both on channel {} of the input; give each its "
+                    "own by --photodiode and --loopback",
+                    options.loopback)};
+  }
   if (!options.calibration.empty()) {
     if (options.input.empty()) {
       throw Error{
@@ -156,6 +171,7 @@ ExitCode time(const TimingOptions& options) {
     }
     static_cast<void>(calibration_file(options.calibration));
   }
+  if (!options.output.empty()) make_folder(options.output);
   auto bench = std::make_unique<Bench>();
   open(*bench, options);
   stop_at_interrupt();
@@ -197,8 +213,8 @@ void add_timing(CLI::App& app, Verb& chosen) {
                    options->input_delay_ms,
                    "what reaches the input comes so late, light and sound alike (0)")
       ->check(CLI::Range(0.0, 1000.0));
-  verb->add_option(
-      "--calibration", options->calibration, "keeps what was measured under this name");
+  verb->add_option("--calibration", options->calibration, "keeps what was measured under this name")
+      ->check(name_that_is_not_empty());
   verb->add_option("-o,--output", options->output, "folder for timing.json and timing.html");
   verb->add_flag("--windowed", options->windowed, "a window instead of the whole screen");
   verb->add_option("--width", options->width, "of the window, pixels (1280)")

@@ -51,6 +51,8 @@ struct Playback {
   bool finished = false;          ///< or stopped, or none was scheduled, or the device is lost
   bool lost = false;              ///< the device has stopped asking for samples
   std::int64_t underflows = 0;    ///< during this sound
+  bool jumped = false;            ///< the device's clock jumped while it was heard
+  bool known = true;              ///< nothing more can become known of it
 };
 
 /// One always-open stream into which sounds are placed at computed samples. Used by one thread; the

@@ -1,5 +1,6 @@
 #include "runner/monitor/session_picture.hpp"
 
+#include <algorithm>
 #include <functional>
 
 #include "stimuli/base/json_text.hpp"
@@ -56,7 +57,8 @@ std::optional<std::int64_t> SessionPicture::number(std::string_view kind,
                                                    std::string_view key) const {
   const auto* const found = value(kind, key);
   if (found == nullptr || !found->is_number_integer()) return std::nullopt;
-  return found->get<std::int64_t>();
+  constexpr std::int64_t kFarthest = 4'000'000'000'000'000'000;  // two of them can be added
+  return std::clamp(found->get<std::int64_t>(), -kFarthest, kFarthest);
 }
 
 std::optional<double> SessionPicture::real(std::string_view kind, std::string_view key) const {

@@ -36,6 +36,13 @@ void make_private(const std::filesystem::path& file) {
   ::close(descriptor);
 }
 
+/// Which file a name stands for on its disk; 0: none.
+std::uint64_t identity_of(const std::string& file) {
+  struct stat state {};
+
+  return ::stat(file.c_str(), &state) == 0 ? std::uint64_t{state.st_ino} : 0;
+}
+
 }  // namespace
 
 void require_place_for(const std::filesystem::path& file) {
@@ -56,6 +63,15 @@ Database::Database(const std::filesystem::path& file, Access access) : file_{fil
   if (code != SQLITE_OK) fail("open");
   constexpr int kPatienceMs = 5'000;
   sqlite3_busy_timeout(connection, kPatienceMs);
+  identity_ = identity_of(file_);
+}
+
+void Database::require_in_place() const {
+  if (identity_of(file_) == identity_) return;
+  throw StoreError{fmt::format(
+      "the data file '{0}' was moved or deleted while the session ran; put it back, with '{0}-wal' "
+      "and '{0}-shm' beside it, before anything opens it",
+      file_)};
 }
 
 void Database::execute(const char* sql) {

@@ -21,6 +21,9 @@ class Database {
   /// Write makes the file, readable and writable by its owner only, if it is not there.
   Database(const std::filesystem::path& file, Access access);
 
+  /// Fails if the file was moved or deleted since it was opened: what is written would be lost.
+  void require_in_place() const;
+
   void execute(const char* sql);
 
   [[nodiscard]] std::int64_t pragma(const std::string& name);
@@ -37,6 +40,7 @@ class Database {
   };
 
   std::string file_;
+  std::uint64_t identity_ = 0;  ///< of the file on its disk
   std::unique_ptr<sqlite3, Close> connection_;
 };
 

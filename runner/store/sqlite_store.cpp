@@ -31,6 +31,7 @@ class SqliteStore final : public SessionStore {
   }
 
   void add(std::int64_t session, const TrialRecord& trial) override {
+    database_.require_in_place();
     Transaction transaction{database_};
     insert_trial(session, trial);
     for (const auto& onset : trial.onsets) {

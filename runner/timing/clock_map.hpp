@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "stimuli/base/quantity.hpp"
 
@@ -51,6 +51,40 @@ struct DeviceClock {
                                                 Hertz nominal_rate,
                                                 Duration shortest_for_drift);
 
+/// Fits again and again without allocating, up to so many readings at a time.
+class ClockFitter {
+ public:
+  explicit ClockFitter(std::size_t most);
+
+  /// As fit_clock(); at most `most` pairs.
+  [[nodiscard]] std::optional<ClockFit> fit(std::span<const ClockPair> pairs,
+                                            Hertz nominal_rate,
+                                            Duration shortest_for_drift);
+
+ private:
+  /// Relative to the reading in the middle, so that nothing is lost in doubles.
+  struct Reading {
+    double sample = 0.0;
+    double nanoseconds = 0.0;
+  };
+
+  struct Line {
+    double offset = 0.0;
+    double slope = 0.0;
+  };
+
+  static double residual(const Reading& reading, const Line& line);
+  double median_slope(double otherwise);
+  double median_residual(const Line& line);
+  void leave_out_far_ones(const Line& line, double smallest_limit);
+  [[nodiscard]] Line least_squares() const;
+  [[nodiscard]] double mean_residual(double slope) const;
+  [[nodiscard]] double standard_deviation(const Line& line, std::size_t parameters) const;
+
+  std::vector<Reading> readings_;
+  std::vector<double> values_;  ///< of which a median is to be found
+};
+
 struct ClockMapOptions {
   std::size_t most = 1024;                         ///< older readings are forgotten
   Duration window = std::chrono::seconds{20};      ///< and so are those longer ago than this
@@ -61,7 +95,8 @@ struct ClockMapOptions {
 };
 
 /// Follows a device's sample clock. After a jump (an underflow: samples came late by whole buffers)
-/// everything before it is forgotten. Used by one thread.
+/// or a gap without readings everything before it is forgotten, and counted as a jump. Used by one
+/// thread. Allocates nothing after construction.
 class ClockMap {
  public:
   explicit ClockMap(Hertz nominal_rate, ClockMapOptions options = {});
@@ -80,12 +115,20 @@ class ClockMap {
 
  private:
   void forget_all_but(std::size_t latest);
+  void note_jump(std::int64_t sample);
   void renew_judge();
   void notice_jump(const ClockPair& pair);
 
   Hertz nominal_rate_;
   ClockMapOptions options_;
-  std::deque<ClockPair> pairs_;
+
+  [[nodiscard]] std::span<const ClockPair> pairs() const {
+    return std::span{pairs_}.subspan(first_);
+  }
+
+  ClockFitter fitter_;
+  std::vector<ClockPair> pairs_;  ///< the oldest, up to first_, are forgotten
+  std::size_t first_ = 0;
   bool fitted_ = false;  ///< fit_ is that of pairs_
   std::optional<ClockFit> fit_;
   std::optional<ClockFit> judge_;  ///< a recent fit, by which jumps are noticed

@@ -5,6 +5,7 @@ must go on where it was.
 """
 
 import argparse
+import datetime
 import pathlib
 import signal
 import sqlite3
@@ -112,6 +113,9 @@ def wall_clock_is_set(laboratory, folder):
     preloaded = {"LD_PRELOAD": str(laboratory.stepped_clock)}
     code = Session(laboratory, data, trials, environment=preloaded).process.wait(180)
     broken = require(code == 0 and is_whole(data, trials), f"the clock was set, exit code {code}")
+    ((ended,),) = query(data, "SELECT ended_utc FROM session")
+    ahead = datetime.datetime.fromisoformat(ended) - datetime.datetime.now(datetime.timezone.utc)
+    broken += require(ahead > datetime.timedelta(minutes=30), f"it believed to end at {ended}")
     starts = [at for (at,) in query(data, "SELECT stimulus_start_ns FROM trial ORDER BY trial")]
     lasting = (starts[-1] - starts[0]) / 1e9
     broken += require(starts == sorted(starts) and lasting < 60, f"it took {lasting:.1f} s")

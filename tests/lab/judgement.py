@@ -24,31 +24,42 @@ def onsets_of_sound(seen, channel=0):
     return [e["at_ns"] for e in seen if e["kind"] == "sound" and e["channel"] == channel]
 
 
-def nearest(instants, wanted):
-    """The instant nearest to `wanted`; None without instants."""
+def nearest(instants, wanted, within=float("inf")):
+    """The instant nearest to `wanted`, if it is not farther than `within`; else None."""
     at = bisect.bisect(instants, wanted)
-    return min(instants[max(0, at - 1) : at + 1], key=lambda i: abs(i - wanted), default=None)
+    near = [i for i in instants[max(0, at - 1) : at + 1] if abs(i - wanted) <= within]
+    return min(near, key=lambda i: abs(i - wanted), default=None)
 
 
 class Troubles:
     """When the compositor left a refresh out or the sound server reported an overrun, by the
-    observer's record: no presenter can do anything about those."""
+    observer's record. They excuse what is of their kind: frames by refreshes that never were, sounds
+    by overruns."""
 
     BEFORE_NS, AFTER_NS = 0.8e9, 0.6e9  # of a trial's onset, in which its fixation and sound lie
     MOST_PERIODS = 1.5
+    OF_SOUND = {"sound_jump", "underflow", "late_sound", "av_offset"}
+    OF_SCREEN = {"late_frame", "early_frame", "av_offset", "refresh_changed"}
 
     def __init__(self, seen):
         shown = [refresh["at_ns"] for refresh in refreshes(seen)]
         gaps = [after - before for before, after in zip(shown, shown[1:])]
         longest = self.MOST_PERIODS * statistics.median(gaps)
         late = [after for after, gap in zip(shown[1:], gaps) if gap > longest]
-        overruns = [event["at_ns"] for event in seen if event["kind"] == "xrun"]
-        self.instants = sorted(late + overruns)
+        self.late = sorted(late)
+        self.overruns = sorted(event["at_ns"] for event in seen if event["kind"] == "xrun")
 
-    def near(self, onset):
-        """Whether there was one around a trial's onset."""
-        first = bisect.bisect(self.instants, onset - self.BEFORE_NS)
-        return first < bisect.bisect(self.instants, onset + self.AFTER_NS)
+    def excuse(self, onset, kinds):
+        """Whether all that flags the trial of this onset has an excuse."""
+        overrun, late = self.near(self.overruns, onset), self.near(self.late, onset)
+        return all(
+            (overrun and kind in self.OF_SOUND) or (late and kind in self.OF_SCREEN)
+            for kind in kinds
+        )
+
+    def near(self, instants, onset):
+        first = bisect.bisect(instants, onset - self.BEFORE_NS)
+        return first < bisect.bisect(instants, onset + self.AFTER_NS)
 
 
 def moments(values):

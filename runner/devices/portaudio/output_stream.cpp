@@ -19,6 +19,7 @@ constexpr Duration kFade = std::chrono::milliseconds{5};
 constexpr Duration kLongestStart = std::chrono::seconds{3};
 constexpr Duration kLostAfter = std::chrono::seconds{1};
 constexpr Duration kSettling = std::chrono::milliseconds{100};
+constexpr std::int64_t kBuffersToConfirm = 9;  ///< a jump: as many as a ClockMap asks for, and one
 constexpr Duration kStartSpan = std::chrono::milliseconds{500};
 constexpr std::size_t kFewestReadings = 16;
 constexpr std::size_t kStartReadings = 64;  ///< suffice, however short their span
@@ -140,20 +141,28 @@ void OutputStream::await_clock() {
 void OutputStream::add(const Reading& reading) {
   largest_buffer = std::max(largest_buffer, reading.frames);
   last_reading = Instant{Duration{reading.entry_ns}};
+  last_sample = reading.sample;
+  const auto jumps = clock.jumps();
   clock.add(output_reading({reading.sample, last_reading, reading.current, reading.output},
                            stream_times_plausible,
                            latency));
+  if (clock.jumps() == jumps || !started) return;
+  const auto heard = *clock.latest_jump() - playback.start_sample;
+  playback.jumped = playback.jumped || (heard > head && heard < length);
 }
 
-/// The onset follows the clock until a tenth of a second has been played, or a jump comes: what
-/// happens to the stream later moves the clock but not what has been heard.
-void OutputStream::follow_onset(std::int64_t sample) {
+/// The onset follows the clock until a tenth of a second has been played and no jump before it can
+/// become known any more, or until a jump comes: what happens to the stream later moves the clock
+/// but not what has been heard.
+void OutputStream::follow_onset() {
   if (!started || onset_settled) return;
   const auto first_heard = playback.start_sample + head;
   onset_settled = clock.latest_jump() > first_heard;
   if (onset_settled) return;
   playback.onset = clock.fit()->instant_of(playback.start_sample);
-  onset_settled = sample >= first_heard + nearest_sample(kSettling, rate).count();
+  const auto settling =
+      std::max(nearest_sample(kSettling, rate).count(), kBuffersToConfirm * largest_buffer);
+  onset_settled = last_sample >= first_heard + settling;
 }
 
 /// Takes what the callback has left since the last time.
@@ -161,9 +170,14 @@ void OutputStream::collect() {
   take_reports();
   while (const auto reading = times.try_pop()) {
     add(*reading);
-    follow_onset(reading->sample);
   }
-  if (MonotonicClock{}.now() - last_reading > kLostAfter) playback.lost = playback.finished = true;
+  follow_onset();
+  const auto end = playback.start_sample + length;
+  playback.known =
+      playback.finished && (!started || last_sample >= end + kBuffersToConfirm * largest_buffer);
+  if (MonotonicClock{}.now() - last_reading > kLostAfter) {
+    playback.lost = playback.finished = playback.known = true;
+  }
 }
 
 void OutputStream::take_reports() {

@@ -25,7 +25,7 @@ struct OutputStream {
   OutputStream& operator=(OutputStream&&) = delete;
   ~OutputStream();
 
-  static constexpr std::size_t kReadings = 1024;
+  static constexpr std::size_t kReadings = 1UL << 14U;  ///< 22 s, at 64 frames a buffer
 
   /// What the callback was told, in words of 64 bits.
   struct Reading {
@@ -47,7 +47,7 @@ struct OutputStream {
   void await_clock();
   void collect();
   void add(const Reading& reading);
-  void follow_onset(std::int64_t sample);
+  void follow_onset();
   void take_reports();
   void post(const MixerCommand& command);
 
@@ -66,11 +66,13 @@ struct OutputStream {
   std::vector<CallbackTimes> first_times;  ///< until the verdict
   ClockMap clock;
   Instant last_reading;
+  std::int64_t last_sample = 0;  ///< of that reading
 
   std::map<std::uint64_t, Sound> borrowed;
   std::uint64_t present = 0;  ///< number of the last scheduled sound; 0: none
   std::int64_t start = 0;     ///< stream sample for which it is scheduled, without its silent head
   std::int64_t head = 0;      ///< samples of that
+  std::int64_t length = 0;    ///< samples, with it
   Playback playback;
   bool started = false;
   bool onset_settled = false;

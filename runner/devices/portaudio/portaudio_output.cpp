@@ -49,6 +49,7 @@ void PortaudioOutput::schedule(const Sound& sound, Instant onset) {
   }
   const auto number = stream.present + 1;
   stream.head = sound.silent_head;
+  stream.length = static_cast<std::int64_t>(sound.samples->size());
   stream.start = stream.clock.fit()->sample_at(onset) + stream.head;
   auto marker = sound.marker ? mixer_marker(*sound.marker) : MixerMarker{};
   if (sound.marker) marker.start -= stream.head;

@@ -9,7 +9,13 @@
 namespace bimodal::runner {
 namespace {
 
-class FlaggedTrialsTest : public SessionLoopTest {};
+class FlaggedTrialsTest : public SessionLoopTest {
+ protected:
+  void begin_anew() {
+    trials_.begin_anew();
+    store_.trials.clear();
+  }
+};
 
 TEST_F(FlaggedTrialsTest, FlagsATrialWhoseFramesWereLateAndSaysHowMany) {
   int presented = 0;
@@ -24,6 +30,61 @@ TEST_F(FlaggedTrialsTest, FlagsATrialWhoseFramesWereLateAndSaysHowMany) {
   ASSERT_EQ(trial.events.size(), 1U);
   EXPECT_EQ(trial.events[0].kind, "late_frame");
   EXPECT_EQ(trial.refreshes.frame.size(), 99U);  // three left out rather than shown late
+}
+
+/// Time passes after the `number`th frame of the first film, in which nothing is shown.
+void stall_after(VirtualClock& clock, SimulatedDisplay& display, int number, Duration time) {
+  display.observe(
+      [&clock, number, time, frames = -1](const Screen& screen, const Presentation&) mutable {
+        if (screen.fixation) frames = std::max(frames, 0);
+        const bool is_frame = frames >= 0 && screen.captions.empty() && !screen.fixation;
+        if (is_frame && ++frames == number) clock.advance_by(time);
+      });
+}
+
+std::vector<std::string> kinds(const TrialRecord& trial) {
+  std::vector<std::string> all;
+  for (const auto& event : trial.events) all.push_back(event.kind);
+  return all;
+}
+
+TEST_F(FlaggedTrialsTest, FlagsATrialTheEndOfWhoseFilmWasNotShown) {
+  stall_after(clock_, display_, 100, 40ms);
+  static_cast<void>(run(1));
+  const auto& trial = store_.trials.at(0);
+  EXPECT_EQ(trial.refreshes.frame.back(), 99);
+  EXPECT_THAT(kinds(trial), testing::ElementsAre("late_frame"));
+  EXPECT_EQ(trial.events.at(0).detail, "2 refreshes were late");
+}
+
+TEST_F(FlaggedTrialsTest, FlagsATrialTheBeginningOfWhoseFilmWasNotShown) {
+  int fixations = 0;
+  display_.observe(
+      [&](const Screen& screen, const Presentation&) { fixations += screen.fixation; });
+  static_cast<void>(run(1));
+  ASSERT_EQ(store_.trials.at(0).refreshes.frame.front(), 0);
+  begin_anew();
+  display_.observe([&, seen = 0](const Screen& screen, const Presentation&) mutable {
+    if (screen.fixation && ++seen == fixations) clock_.advance_by(45ms);
+  });
+  static_cast<void>(run(1));
+  const auto& trial = store_.trials.at(0);
+  EXPECT_GT(trial.refreshes.frame.front(), 0);
+  EXPECT_THAT(kinds(trial), testing::Contains("late_frame"));
+}
+
+TEST_F(FlaggedTrialsTest, FlagsATrialWhoseTimeZeroWasNotShown) {
+  stall_after(clock_, display_, 5, 3s);
+  static_cast<void>(run(1));
+  const auto& trial = store_.trials.at(0);
+  EXPECT_FALSE(trial.onsets.at(0).reported);
+  EXPECT_THAT(kinds(trial), testing::IsSupersetOf({"visual_unreported", "late_frame"}));
+}
+
+TEST_F(FlaggedTrialsTest, HandsTheSoundOverInTimeThoughItsDeviceIsSlow) {
+  reference_.sound_after = 40ms;
+  trials_.av_offset = -100ms;  // the sound comes first
+  EXPECT_EQ(run(2).flagged, 0);
 }
 
 /// Makes three frames late in the trials of these places, counted from 0 as they are presented.

@@ -146,7 +146,8 @@ class SessionLoopTest : public testing::Test {
                                  display_,
                                  other_keyboard != nullptr ? *other_keyboard : typist,
                                  other_audio != nullptr ? *other_audio : audio_,
-                                 std::vector<TriggerLine*>{&line_}},
+                                 std::vector<TriggerLine*>{&line_},
+                                 reference_},
                        .trials = trials_,
                        .store = writer,
                        .begin = [](const RefreshEstimate&) { return std::int64_t{7}; },
@@ -186,6 +187,7 @@ class SessionLoopTest : public testing::Test {
   PlainTrials trials_{plan_};
   MemoryStore store_;
   FakeLine line_{"socket"};
+  OnsetReference reference_;
   std::vector<std::string> told_;
 };
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "stimuli/base/random.hpp"
+#include "tests/runner/realtime/count_allocations.hpp"
 
 namespace bimodal::runner {
 namespace {
@@ -178,6 +179,22 @@ TEST(ClockMap, ForgetsWhatLiesBeforeAGap) {
   map.add({60 * 48'000, later});
   EXPECT_EQ(map.fit()->count, 1U);
   EXPECT_EQ(map.fit()->instant_of(60 * 48'000), later);
+  EXPECT_EQ(map.jumps(), 1);
+  EXPECT_EQ(map.latest_jump(), 60 * 48'000);
+}
+
+TEST(ClockMap, AllocatesNothingHoweverLongItFollows) {
+  const Device device;
+  ClockMap map{kRate};
+  map.add({0, device.instant(0)});
+  const auto before = allocations_of_this_thread();
+  for (std::int64_t i = 1; i < 5000; ++i) {
+    const Duration late = i < 3000 ? Duration{} : Duration{5'333'333};
+    map.add({i * 128, device.instant(i * 128) + late});
+    if (i % 6 == 0) static_cast<void>(map.fit());
+  }
+  EXPECT_EQ(allocations_of_this_thread(), before);
+  EXPECT_EQ(map.jumps(), 1);
 }
 
 }  // namespace
