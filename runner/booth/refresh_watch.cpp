@@ -20,15 +20,19 @@ void watch_refreshes(const Booth& booth, Oversight& oversight) {
   }
 }
 
+bool is_another_period(Duration period, Duration before) {
+  constexpr int kPart = 50;  // 2 %
+  return std::chrono::abs(period - before) > before / kPart;
+}
+
 std::string ScreenGuard::trouble(const TrialRecord& record, const RefreshEstimate& refresh) {
-  constexpr int kPart = 50;  // of the period: 2 %
   if (std::ranges::find(record.events, "screen_silent", &EventRecord::kind) !=
       record.events.end()) {
     return "the screen reports nothing: it may be asleep, or its window hidden";
   }
   if (refresh.count == 0) return {};  // it is not measured
   const auto before = std::exchange(period_, refresh.period).value_or(refresh.period);
-  if (std::chrono::abs(refresh.period - before) <= before / kPart) return {};
+  if (!is_another_period(refresh.period, before)) return {};
   return fmt::format("the screen refreshes every {:.2f} ms, not every {:.2f} ms as before",
                      milliseconds(refresh.period),
                      milliseconds(before));

@@ -15,12 +15,16 @@ namespace bimodal::runner {
 /// be stopped. A display that measures nothing is not waited for. Keystrokes are thrown away.
 void watch_refreshes(const Booth& booth, Oversight& oversight);
 
+/// Whether a screen refreshes at another rate than before: by more than 2 %, for a measured period
+/// wanders by less.
+[[nodiscard]] bool is_another_period(Duration period, Duration before);
+
 /// Notices that a screen is no longer what it was when the session began.
 class ScreenGuard {
  public:
   /// To be asked after each trial: why the session is to pause, or an empty text. It does if the
-  /// screen reported nothing of the trial, or if its period is another by more than 2 % than when
-  /// this was asked before.
+  /// screen reported nothing of the trial, or if its period is another than when this was asked
+  /// before.
   [[nodiscard]] std::string trouble(const TrialRecord& record, const RefreshEstimate& refresh);
 
  private:

@@ -9,6 +9,7 @@
 #include "runner/booth/clock_records.hpp"
 #include "runner/booth/keystroke_record.hpp"
 #include "runner/booth/patch.hpp"
+#include "runner/booth/refresh_watch.hpp"
 #include "runner/booth/shown_refreshes.hpp"
 #include "runner/devices/device_error.hpp"
 #include "stimuli/base/milliseconds.hpp"
@@ -68,7 +69,7 @@ class StimulusLoop {
 
   void run() {
     const auto jumps = clock_jumps();
-    const auto rate_changes = screen_rate_changes();
+    const auto period = booth_.display.refresh().period;
     if (trial_.sound) booth_.audio.schedule(*trial_.sound, device_onset());
     while (true) {
       follow_screen();
@@ -87,7 +88,7 @@ class StimulusLoop {
     if (trial_.sound) report_sound();
     report_offset();
     if (trial_.sound && clock_jumps() != jumps) note_jump(record_, booth_.clock.now());
-    if (screen_rate_changes() != rate_changes) {
+    if (is_another_period(booth_.display.refresh().period, period)) {
       note("refresh_changed", "the screen has another refresh rate than before");
     }
     note_clocks(booth_, record_);
@@ -194,11 +195,6 @@ class StimulusLoop {
 
   [[nodiscard]] int clock_jumps() const {
     const auto clock = booth_.audio.clock();
-    return clock ? clock->jumps : 0;
-  }
-
-  [[nodiscard]] int screen_rate_changes() const {
-    const auto clock = booth_.display.clock();
     return clock ? clock->jumps : 0;
   }
 

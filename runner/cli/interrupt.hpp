@@ -2,7 +2,8 @@
 
 namespace bimodal::runner {
 
-/// From now on the first Ctrl-C asks the session to stop, and a second ends the program as usual.
+/// From now on the first Ctrl-C, SIGTERM or SIGHUP (the terminal is closed) asks the session to
+/// stop, and a second ends the program as usual.
 void stop_at_interrupt();
 
 /// Whether the first has come.

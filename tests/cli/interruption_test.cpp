@@ -9,6 +9,7 @@
 #include "runner/store/sqlite.hpp"
 #include "runner/store/stored_session.hpp"
 #include "tests/cli/command.hpp"
+#include "tests/cli/six_words.hpp"
 #include "tests/support/written_files.hpp"
 
 namespace bimodal {
@@ -18,18 +19,6 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr const char* kProtocol = R"({
-  "bimodal_protocol": 1,
-  "title": "Six words in haste",
-  "seed": 3,
-  "words": ["cat", "fish", "moon", "stew", "tree", "house"],
-  "conditions": [
-    {"name": "voice", "auditory": {"talker": "festival:kal"}, "snr_db": 0}
-  ],
-  "intervals": {"fixation_s": 0.05, "lead_s": 0.05, "trail_s": 0.05, "pause_s": 0.05}
-}
-)";
-
 std::vector<std::string> run_of(const std::string& participant, const std::string& trials) {
   return unattended_run("six.json",
                         {"--data", "x.sqlite", "--participant", participant, "--trials", trials});
@@ -37,7 +26,7 @@ std::vector<std::string> run_of(const std::string& participant, const std::strin
 
 TEST(Interruption, OfAProcessLosesNoAnsweredTrial) {
   WrittenFiles files;
-  files.write("six.json", kProtocol);
+  files.write("six.json", kSixWords);
   const auto data = files.folder() / "x.sqlite";
   {
     StartedCommand session{files.folder(), "bimodal", run_of("P01", "6")};
@@ -66,7 +55,7 @@ TEST(Interruption, OfAProcessLosesNoAnsweredTrial) {
 
 TEST(Interruption, ByCtrlCEndsTheSessionInOrder) {
   WrittenFiles files;
-  files.write("six.json", kProtocol);
+  files.write("six.json", kSixWords);
   StartedCommand session{files.folder(), "bimodal", run_of("P01", "6")};
   ASSERT_TRUE(session.await("trial 2 of 6"));
   session.interrupt();
@@ -76,6 +65,49 @@ TEST(Interruption, ByCtrlCEndsTheSessionInOrder) {
   const auto sessions = runner::read_sessions(files.folder() / "x.sqlite");
   ASSERT_THAT(sessions, SizeIs(1));
   EXPECT_EQ(sessions[0].outcome, "stopped");
+}
+
+TEST(Interruption, IsMadeUpForByResumingWhichCountsTheWholeSession) {
+  WrittenFiles files;
+  files.write("six.json", kSixWords);
+  {
+    StartedCommand session{files.folder(), "bimodal", run_of("P01", "6")};
+    ASSERT_TRUE(session.await("trial 3 of 6"));
+    session.kill_at_once();
+    static_cast<void>(session.end());
+  }
+  auto arguments = run_of("P01", "6");
+  arguments.emplace_back("--resume");
+  const auto resumed = run_command(files.folder(), "bimodal", arguments);
+  EXPECT_EQ(resumed.exit_code, 0);
+  EXPECT_THAT(resumed.output,
+              HasSubstr("complete: 6 of 6 trials stored in x.sqlite, 2 of them before"));
+}
+
+TEST(Interruption, IsNoneWhileTheSessionRuns) {
+  WrittenFiles files;
+  files.write("six.json", kSixWords);
+  StartedCommand session{files.folder(), "bimodal", run_of("P01", "6")};
+  ASSERT_TRUE(session.await("trial 2 of 6"));
+  auto arguments = run_of("P01", "6");
+  arguments.emplace_back("--resume");
+  const auto resumed = run_command(files.folder(), "bimodal", arguments);
+  EXPECT_EQ(resumed.exit_code, 3);
+  EXPECT_THAT(resumed.output, HasSubstr("a session that stores there is running"));
+  const auto ended = session.end();
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.output, HasSubstr("complete: 6 of 6"));
+}
+
+TEST(Interruption, ByMovingTheDataFileIsToldAtOnce) {
+  WrittenFiles files;
+  files.write("six.json", kSixWords);
+  StartedCommand session{files.folder(), "bimodal", run_of("P01", "6")};
+  ASSERT_TRUE(session.await("trial 2 of 6"));
+  std::filesystem::rename(files.folder() / "x.sqlite", files.folder() / "y.sqlite");
+  const auto ended = session.end();
+  EXPECT_EQ(ended.exit_code, 5);
+  EXPECT_THAT(ended.output, HasSubstr("'x.sqlite' was moved or deleted while the session ran"));
 }
 
 }  // namespace

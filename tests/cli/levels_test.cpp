@@ -13,6 +13,11 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+std::vector<std::string> operator+(std::vector<std::string> arguments, std::string last) {
+  arguments.push_back(std::move(last));
+  return arguments;
+}
+
 class Levels : public CommandLine {
  protected:
   Ended levels(std::vector<std::string> arguments) const {
@@ -57,6 +62,16 @@ TEST_F(Levels, AreKeptListedAndReplaced) {
                           HasSubstr("tone 1000 Hz"),
                           HasSubstr("channel 2"),
                           HasSubstr("left knob at 3"))));
+}
+
+TEST_F(Levels, WhatCouldNotBeReadAgainIsNotKept) {
+  const std::vector<std::string> set{"set", "--device", "none", "--dbspl", "64", "--note"};
+  EXPECT_THAT(levels(set + std::string(501, 'x')),
+              ended(ExitCode::InvalidInput, HasSubstr("nothing was kept")));
+  EXPECT_THAT(levels(set + "B\xe9K"),
+              ended(ExitCode::InvalidInput, HasSubstr("nothing was kept: a text is not UTF-8")));
+  EXPECT_THAT(levels({"list"}),
+              ended(ExitCode::Findings, HasSubstr("no level has been measured yet")));
 }
 
 TEST_F(Levels, OptionsThatMakeNoSenseAreRefused) {

@@ -9,6 +9,7 @@
 #include "runner/store/stored_session.hpp"
 #include "stimuli/base/exit_code.hpp"
 #include "tests/cli/command.hpp"
+#include "tests/cli/six_words.hpp"
 #include "tests/support/written_files.hpp"
 
 namespace bimodal {
@@ -20,21 +21,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-constexpr const char* kProtocol = R"({
-  "bimodal_protocol": 1,
-  "title": "Six words in haste",
-  "seed": 3,
-  "words": ["cat", "fish", "moon", "stew", "tree", "house"],
-  "conditions": [
-    {"name": "voice", "auditory": {"talker": "festival:kal"}, "snr_db": 0}
-  ],
-  "intervals": {"fixation_s": 0.05, "lead_s": 0.05, "trail_s": 0.05, "pause_s": 0.05}
-}
-)";
-
 class Monitor : public testing::Test {
  protected:
-  Monitor() { files_.write("six.json", kProtocol); }
+  Monitor() { files_.write("six.json", kSixWords); }
 
   [[nodiscard]] StartedCommand session(const std::string& trials) const {
     return {files_.folder(),

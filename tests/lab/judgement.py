@@ -36,7 +36,7 @@ class Troubles:
     observer's record. They excuse what is of their kind: frames by refreshes that never were, sounds
     by overruns."""
 
-    BEFORE_NS, AFTER_NS = 0.8e9, 0.6e9  # of a trial's onset, in which its fixation and sound lie
+    BEFORE_NS, AFTER_NS = 0.8e9, 1.0e9  # of a trial's onset, in which its fixation and sound lie
     MOST_PERIODS = 1.5
     OF_SOUND = {"sound_jump", "underflow", "late_sound", "av_offset"}
     OF_SCREEN = {"late_frame", "early_frame", "av_offset", "refresh_changed"}

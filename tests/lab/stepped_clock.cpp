@@ -1,6 +1,6 @@
-/// A wall clock that is set while a program runs: preloaded (LD_PRELOAD), it makes the program's clock
-/// of the day jump an hour back 5 s after its start, and two hours on 5 s later. CLOCK_MONOTONIC and
-/// every other clock stay what they are.
+/// A wall clock that is set while a program runs: preloaded (LD_PRELOAD), it makes the program's
+/// clock of the day jump an hour back 5 s after its start, and two hours on 5 s later.
+/// CLOCK_MONOTONIC and every other clock stay what they are.
 #include <ctime>
 
 #include <sys/syscall.h>
