@@ -83,6 +83,23 @@ std::optional<Resumption> earlier_part(const RunOptions& options,
   return std::nullopt;
 }
 
+void tell_what_is_left_out(const RunOptions& options) {
+  if (options.display == "headless") fmt::print("no display: nothing is shown\n");
+  if (options.audio == "none") fmt::print("no audio: nothing is heard\n");
+}
+
+/// Refuses to go on otherwise than the session began; says, and returns, whether trials that were
+/// owed to the participant are not presented again.
+bool goes_on(const std::optional<Resumption>& earlier,
+             const SessionRecord& record,
+             const protocols::Protocol& protocol) {
+  if (!earlier) return false;
+  require_same_terms(*earlier, record);
+  if (earlier->owed.empty() || protocol.timing.flagged != protocols::Flagged::Repeat) return false;
+  tell(fmt::format("trials flagged before that are not presented again: {}", earlier->owed.size()));
+  return true;
+}
+
 ExitCode run(const RunOptions& options) {
   refuse_what_nobody_could_answer(options);
   auto read = load_protocol(options.protocol);
@@ -117,8 +134,7 @@ ExitCode run(const RunOptions& options) {
   tell(level.text);
   if (!store) store = open_sqlite_store(data);
   StoreWriter writer{*store};
-  if (options.display == "headless") fmt::print("no display: nothing is shown\n");
-  if (options.audio == "none") fmt::print("no audio: nothing is heard\n");
+  tell_what_is_left_out(options);
 
   Repertoire repertoire{protocol.sound.rate, read->corpora};
   const auto drawing_rate = drawing_rate_for(devices->display->refresh().period);
@@ -132,13 +148,7 @@ ExitCode run(const RunOptions& options) {
   record.timing = devices->timing;
   record.keyboard_description = devices->keyboard->description();
   record.sound_levels = level.record;
-  if (resumption) require_same_terms(*resumption, record);
-  const bool drops_repetitions = resumption && !resumption->owed.empty() &&
-                                 protocol.timing.flagged == protocols::Flagged::Repeat;
-  if (drops_repetitions) {
-    tell(fmt::format("trials flagged before that are not presented again: {}",
-                     resumption->owed.size()));
-  }
+  const bool drops_repetitions = goes_on(resumption, record, protocol);
   WatchedSession watched{data, record, protocol, plan, devices->clock};
   const auto done = resumption ? resumption->done : std::set<std::size_t>{};
   PreparationQueue queue{rest_of(plan, done), [&] {

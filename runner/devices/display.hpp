@@ -86,8 +86,8 @@ class Display {
   /// the past means the next refresh.
   virtual Presentation present(const Screen& screen, Instant deadline) = 0;
 
-  /// Lets time pass until the session clock reads `until`, taking in what is typed meanwhile; what is
-  /// shown stays.
+  /// Lets time pass until the session clock reads `until`, taking in what is typed meanwhile; what
+  /// is shown stays.
   virtual void wait(Instant until) = 0;
 
   /// Measured at start-up over at least 100 refreshes, refined with every presentation.
