@@ -11,7 +11,7 @@ namespace {
 using protocols::ResponseKind;
 
 /// How often keys are looked for while what is shown stays.
-constexpr Duration kPollEvery = std::chrono::milliseconds{1};
+constexpr Duration kPollEvery = std::chrono::microseconds{500};
 
 /// After so long it is shown anew, should the window have lost it.
 constexpr Duration kShowAgainAfter = std::chrono::seconds{5};
@@ -55,7 +55,7 @@ class AnswerLoop {
         machine_{machine},
         record_{record} {}
 
-  /// One refresh if there is something new to show, or else a millisecond: what is answered is
+  /// One refresh if there is something new to show, or else half a millisecond: what is answered is
   /// taken at once and need not wait for the screen.
   Answering step() {
     if (!is_shown()) {

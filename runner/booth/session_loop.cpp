@@ -203,6 +203,8 @@ class SessionLoop {
   /// The blank between trials, at least until the data are on the disk. False if the session is to
   /// be stopped.
   bool pause_until(const std::future<Duration>& stored) {
+    constexpr std::chrono::milliseconds kFirst{5};  // drawing would keep the store waiting
+    static_cast<void>(stored.wait_for(kFirst));
     const auto end = booth_.clock.now() + parts_.protocol.intervals.pause;
     bool stop = false;
     while (!stop && booth_.clock.now() < end) {
