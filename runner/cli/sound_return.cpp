@@ -15,6 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "runner/booth/participant_screens.hpp"
 #include "runner/cli/interrupt.hpp"
 
 namespace bimodal::runner {
@@ -88,8 +89,7 @@ class Look {
 
 bool await_sound(const Booth& booth, const std::function<bool()>& stopped) {
   constexpr Duration kBetween = 2s;
-  Screen page;
-  page.captions = {{.text = "A short pause. Please wait.", .centre_y = 0.45, .size = 0.035}};
+  const auto page = pause_screen();
   auto next = booth.clock.now() + kBetween;
   std::optional<Look> look;
   while (!stopped()) {

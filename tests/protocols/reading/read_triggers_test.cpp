@@ -15,13 +15,6 @@ using ::testing::IsEmpty;
 
 class ReadingTriggers : public Reading {
  protected:
-  Protocol protocol_with(std::string_view keys) const {
-    std::string text{kGood};
-    const auto read = this->read(text.insert(1, std::string{keys} + ", "));
-    EXPECT_THAT(read.diagnostics, IsEmpty());
-    return read.protocol;
-  }
-
   Triggers triggers(std::string_view written) const {
     return protocol_with("\"triggers\": " + std::string{written}).triggers;
   }

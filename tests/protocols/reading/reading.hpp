@@ -62,6 +62,14 @@ class Reading : public ::testing::Test {
     return messages("\n  \"bimodal", "\n  " + std::string{keys} + ", \"bimodal");
   }
 
+  /// The protocol with these keys added, in which nothing may be wrong.
+  Protocol protocol_with(std::string_view keys) const {
+    std::string text{kGood};
+    const auto read = this->read(text.insert(1, std::string{keys} + ", "));
+    EXPECT_TRUE(read.diagnostics.empty());
+    return read.protocol;
+  }
+
   WrittenFiles files_;
   std::filesystem::path dictionary_ = files_.write("dictionary.dict", kDictionary);
 };
