@@ -10,8 +10,8 @@ namespace {
 
 using protocols::ResponseKind;
 
-/// How often keys are looked for while what is shown stays.
-constexpr Duration kPollEvery = std::chrono::microseconds{500};
+/// How often keys, and then what became of triggers, are looked for while what is shown stays.
+constexpr Duration kPollEvery = std::chrono::microseconds{250};
 
 /// After so long it is shown anew, should the window have lost it.
 constexpr Duration kShowAgainAfter = std::chrono::seconds{5};
@@ -55,8 +55,8 @@ class AnswerLoop {
         machine_{machine},
         record_{record} {}
 
-  /// One refresh if there is something new to show, or else half a millisecond: what is answered is
-  /// taken at once and need not wait for the screen.
+  /// One refresh if there is something new to show, or else a quarter of a millisecond: what is
+  /// answered is taken at once and need not wait for the screen.
   Answering step() {
     if (!is_shown()) {
       show();
@@ -172,7 +172,7 @@ void finish_triggers(const Booth& booth,
   }
   const auto latest = booth.clock.now() + kTriggerPatience;
   while (!triggers.settled() && booth.clock.now() < latest) {
-    static_cast<void>(booth.display.present({}, booth.clock.now()));
+    booth.display.wait(booth.clock.now() + kPollEvery);  // a refresh would keep the store waiting
   }
   triggers.finish(record, booth.clock.now());
 }

@@ -38,9 +38,9 @@ struct Question {
                                   const std::vector<TrialCommand>& at_end,
                                   TrialRecord& record);
 
-/// After the answer: tells other equipment of it, if it came after the stimulus, and shows an empty
-/// screen until all lines have reported what became of the trial's signals (0.3 s at most), which
-/// go into `record`.
+/// After the answer: tells other equipment of it, if it came after the stimulus, and waits until
+/// all lines have reported what became of the trial's signals (0.3 s at most), which go into
+/// `record`.
 void finish_triggers(const Booth& booth,
                      const TrialMachine& machine,
                      TriggerLog& triggers,

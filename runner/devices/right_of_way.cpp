@@ -6,21 +6,17 @@
 #include <fmt/format.h>
 #include <sched.h>
 
+#include "runner/realtime/urgency.hpp"
+
 namespace bimodal::runner {
 
 namespace {
 
-constexpr int kPriority = 5;
-
-bool set(int policy) noexcept {
-  sched_param parameters{};
-  parameters.sched_priority = kPriority;
-  return ::sched_setscheduler(0, policy, &parameters) == 0;
-}
+constexpr int kPriority = static_cast<int>(Urgency::Presenting);
 
 }  // namespace
 
-RightOfWay::RightOfWay() : granted_{set(SCHED_RR)} {
+RightOfWay::RightOfWay() : granted_{make_urgent(Urgency::Presenting)} {
   description_ = granted_ ? fmt::format("presented at real-time priority {}", kPriority)
                           : fmt::format(
                                 "presented at ordinary priority: a real-time one was refused "
@@ -29,7 +25,10 @@ RightOfWay::RightOfWay() : granted_{set(SCHED_RR)} {
 }
 
 void RightOfWay::keep_to_itself() const noexcept {
-  if (granted_) static_cast<void>(set(SCHED_RR | SCHED_RESET_ON_FORK));
+  if (!granted_) return;
+  sched_param parameters{};
+  parameters.sched_priority = kPriority;
+  ::sched_setscheduler(0, SCHED_RR | SCHED_RESET_ON_FORK, &parameters);
 }
 
 }  // namespace bimodal::runner

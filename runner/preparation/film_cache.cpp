@@ -105,7 +105,7 @@ void FilmCache::keep(const std::string& key, const Film& film, const Checkpoint&
   if (bytes.size() > most_bytes_) return;
   make_room(bytes.size());
   try {
-    write_file(file_of(key), bytes);
+    write_file(file_of(key), bytes, Durability::Later);  // answers do not wait for films
     fs::permissions(file_of(key), fs::perms::owner_read | fs::perms::owner_write);
   } catch (const Error&) {
     return;  // the disk is full: the film is drawn anew next time

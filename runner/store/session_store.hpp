@@ -9,8 +9,8 @@
 
 namespace bimodal::runner {
 
-/// Where sessions are kept while they run. Every call is one committed transaction: when it
-/// returns, the data are on the disk. Calls come from one thread. All throw StoreError.
+/// Where sessions are kept while they run. Every call but settle() is one committed transaction:
+/// when it returns, the data are on the disk. Calls come from one thread. All throw StoreError.
 class SessionStore {
  public:
   SessionStore() = default;
@@ -37,10 +37,16 @@ class SessionStore {
 
   /// `outcome`: "complete" or "stopped". A session that never ended was interrupted.
   virtual void end(std::int64_t session, std::string_view outcome, std::string_view ended_utc) = 0;
+
+  /// Does what a transaction leaves for later, if it is due. Between transactions, when nobody
+  /// waits: it may write much. Should it fail, nothing stored is lost.
+  virtual void settle() = 0;
 };
 
 /// Opens or makes a SQLite file (mode 0600; WAL, synchronous=FULL, foreign keys). An existing file
-/// is appended to. Throws StoreError if it is of a newer schema, no bimodal file, or not writable.
+/// is appended to. Its settle() moves what was committed from the log beside the file into the
+/// file, some trials at a time. Throws StoreError if it is of a newer schema, no bimodal file, or
+/// not writable.
 [[nodiscard]] std::unique_ptr<SessionStore> open_sqlite_store(const std::filesystem::path& file);
 
 /// Throws StoreError if a new `file` could not be made in its folder; makes nothing.

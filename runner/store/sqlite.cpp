@@ -43,6 +43,12 @@ std::uint64_t identity_of(const std::string& file) {
   return ::stat(file.c_str(), &state) == 0 ? std::uint64_t{state.st_ino} : 0;
 }
 
+/// SQLite calls it after every commit.
+int note_log_pages(void* noted, sqlite3* /*connection*/, const char* /*name*/, int pages) {
+  *static_cast<int*>(noted) = pages;
+  return SQLITE_OK;
+}
+
 }  // namespace
 
 void require_place_for(const std::filesystem::path& file) {
@@ -63,6 +69,7 @@ Database::Database(const std::filesystem::path& file, Access access) : file_{fil
   if (code != SQLITE_OK) fail("open");
   constexpr int kPatienceMs = 5'000;
   sqlite3_busy_timeout(connection, kPatienceMs);
+  sqlite3_wal_hook(connection, &note_log_pages, log_pages_.get());
   identity_ = identity_of(file_);
 }
 
@@ -76,6 +83,12 @@ void Database::require_in_place() const {
 
 void Database::execute(const char* sql) {
   if (sqlite3_exec(connection_.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail("change");
+}
+
+void Database::empty_log() {
+  const int code = sqlite3_wal_checkpoint_v2(
+      connection_.get(), nullptr, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
+  if (code != SQLITE_OK && code != SQLITE_BUSY) fail("change");
 }
 
 std::int64_t Database::pragma(const std::string& name) {

@@ -85,6 +85,11 @@ class SqliteStore final : public SessionStore {
     end_session_.reset().bind(outcome).bind(ended_utc).bind(session).run();
   }
 
+  void settle() override {
+    constexpr int kMuch = 160;  // pages, those of about 20 trials
+    if (database_.log_pages() >= kMuch) database_.empty_log();
+  }
+
  private:
   /// Runs before the statements below are prepared, for they need the tables.
   struct Schema {

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "runner/realtime/urgency.hpp"
+#include "runner/store/store_error.hpp"
+
 namespace bimodal::runner {
 
 StoreWriter::StoreWriter(SessionStore& store) : store_{store}, thread_{[this] { work(); }} {}
@@ -45,7 +48,13 @@ std::future<void> StoreWriter::add(std::int64_t session, EventRecord event) {
       [this, session, event = std::move(event)] { store_.add(session, event); }});
 }
 
+bool StoreWriter::is_idle() {
+  const std::lock_guard lock{mutex_};
+  return tasks_.empty();
+}
+
 void StoreWriter::work() {
+  make_urgent(Urgency::Storing);
   while (true) {
     std::packaged_task<void()> task;
     {
@@ -56,6 +65,12 @@ void StoreWriter::work() {
       tasks_.pop_front();
     }
     task();
+    if (!is_idle()) continue;
+    try {
+      store_.settle();
+    } catch (const StoreError&) {
+      // Nothing is lost, and the next transaction meets the same disk.
+    }
   }
 }
 

@@ -13,8 +13,9 @@
 namespace bimodal::runner {
 
 /// Runs the transactions of a store on a thread of its own, in the order of the calls, so that the
-/// presenting thread never waits for a disk while a stimulus is on the screen. The session loop
-/// awaits the returned future before the next trial begins. Used by one thread.
+/// presenting thread never waits for a disk while a stimulus is on the screen; before ordinary
+/// threads, where the system allows it. When nothing is left to do it lets the store settle. The
+/// session loop awaits the returned future before the next trial begins. Used by one thread.
 class StoreWriter {
  public:
   explicit StoreWriter(SessionStore& store);
@@ -34,6 +35,8 @@ class StoreWriter {
   template <typename Result>
   [[nodiscard]] std::future<Result> enqueue(std::packaged_task<Result()> task);
   void work();
+  /// Nothing is asked for.
+  [[nodiscard]] bool is_idle();
 
   SessionStore& store_;
   std::mutex mutex_;

@@ -43,21 +43,24 @@ Draft::~Draft() {
   if (!kept_) std::filesystem::remove(path_, ignored);
 }
 
-void Draft::keep() {
-  std::error_code failure = sync(path_);
+void Draft::keep(Durability durability) {
+  std::error_code failure;
+  if (durability == Durability::AtOnce) failure = sync(path_);
   if (!failure) std::filesystem::rename(path_, target_, failure);
   if (failure) refuse(target_, failure.message());
   kept_ = true;
 }
 
-void write_file(const std::filesystem::path& file, std::string_view content) {
+void write_file(const std::filesystem::path& file,
+                std::string_view content,
+                Durability durability) {
   Draft draft{file};
   std::ofstream stream{draft.path(), std::ios::binary};
   if (!stream) refuse(file, last_error().message());
   stream.write(content.data(), static_cast<std::streamsize>(content.size()));
   stream.close();
   if (!stream) refuse(file, "not all of it could be written");
-  draft.keep();
+  draft.keep(durability);
 }
 
 }  // namespace bimodal

@@ -4,24 +4,13 @@
 #include <exception>
 #include <utility>
 
-#include <pthread.h>
-#include <sys/prctl.h>
+#include "runner/realtime/urgency.hpp"
 
 namespace bimodal::runner {
 
 namespace {
 
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
-
-/// Sleeps end when they should, and nothing ordinary comes first. What the system does not allow
-/// (real time needs root or an rtprio limit) is left.
-void be_punctual() {
-  constexpr unsigned long kOneNanosecond = 1;
-  prctl(PR_SET_TIMERSLACK, kOneNanosecond);
-  constexpr int kBelowSound = 5;
-  const sched_param priority{.sched_priority = kBelowSound};
-  pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
-}
 
 }  // namespace
 
@@ -44,7 +33,7 @@ bool TriggerSender::post(const TriggerSignal& signal) noexcept {
 }
 
 void TriggerSender::work() {
-  be_punctual();
+  make_urgent(Urgency::Presenting);
   while (true) {
     const bool closing = closing_;  // before the queue is emptied: what was posted is seen
     while (const auto signal = signals_.try_pop()) {

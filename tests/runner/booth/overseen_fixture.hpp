@@ -83,6 +83,8 @@ class KeptStore final : public SessionStore {
 
   void reopen(std::int64_t) override {}
 
+  void settle() override {}
+
   bool fails = false;
   std::vector<TrialRecord> trials;
   std::vector<EventRecord> events;

@@ -101,6 +101,8 @@ class MemoryStore final : public SessionStore {
 
   void reopen(std::int64_t /*session*/) override {}
 
+  void settle() override {}
+
   void end(std::int64_t /*session*/, std::string_view /*how*/, std::string_view /*when*/) override {
   }
 

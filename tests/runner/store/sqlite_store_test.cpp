@@ -38,6 +38,7 @@ class SqliteStoreTest : public testing::Test {
   std::filesystem::path folder_ = std::filesystem::path{testing::TempDir()} /
                                   testing::UnitTest::GetInstance()->current_test_info()->name();
   std::filesystem::path file_ = folder_ / "data.sqlite";
+  std::filesystem::path log_ = folder_ / "data.sqlite-wal";
 };
 
 SessionRecord session() {
@@ -64,6 +65,14 @@ std::vector<PlanRecord> plan() {
            .snr_db = -8.0,
            .noise_seed = 9'223'372'036'854'775'809U},
           {.trial = 1, .phase = "main", .word = "bee", .phones = "B IY", .condition = "visual"}};
+}
+
+std::vector<PlanRecord> planned(int trials) {
+  std::vector<PlanRecord> planned;
+  for (int i = 0; i < trials; ++i) {
+    planned.push_back({.trial = i, .phase = "main", .word = "bee", .condition = "visual"});
+  }
+  return planned;
 }
 
 TrialRecord trial(int number) {
@@ -332,6 +341,32 @@ TEST_F(SqliteStoreTest, ATrialIsThereForAnotherReaderAsSoonAsAddReturns) {
   const auto id = store->begin(session(), plan());
   store->add(id, trial(0));
   EXPECT_EQ(read_sessions(file_).at(0).trials.size(), 1U);
+}
+
+TEST_F(SqliteStoreTest, ATrialIsNeverKeptWaitingByTheMovingOfOthersIntoTheFile) {
+  constexpr int kTrials = 400;
+  constexpr std::uintmax_t kPagesAfterWhichSqliteMovesThem = 1'000;
+  const auto store = open_sqlite_store(file_);
+  const auto id = store->begin(session(), planned(kTrials));
+  for (int i = 0; i < kTrials; ++i) store->add(id, trial(i));
+  constexpr std::uintmax_t kPage = 4'096;
+  EXPECT_GT(std::filesystem::file_size(log_), kPagesAfterWhichSqliteMovesThem * kPage);
+}
+
+TEST_F(SqliteStoreTest, WhatIsSettledIsInTheFileItselfAndTheLogStaysShort) {
+  constexpr int kTrials = 400;
+  const auto store = open_sqlite_store(file_);
+  const auto id = store->begin(session(), planned(kTrials));
+  for (int i = 0; i < kTrials; ++i) {
+    store->add(id, trial(i));
+    store->settle();
+  }
+  EXPECT_LT(std::filesystem::file_size(log_), 1'000'000U);
+  const auto alone = folder_ / "alone.sqlite";  // as somebody copies it who forgets the log
+  std::filesystem::copy_file(file_, alone);
+  constexpr std::size_t kAtMostInLog = 60;
+  EXPECT_GT(read_sessions(alone).front().trials.size(), kTrials - kAtMostInLog);
+  EXPECT_EQ(read_sessions(file_).front().trials.size(), std::size_t{kTrials});
 }
 
 TEST_F(SqliteStoreTest, RefusesATrialThatWasNotPlannedAndKeepsNothingOfIt) {
