@@ -18,11 +18,13 @@ namespace {
 constexpr Duration kFade = std::chrono::milliseconds{5};
 constexpr Duration kLongestStart = std::chrono::seconds{3};
 constexpr Duration kLostAfter = std::chrono::seconds{1};
-constexpr Duration kSettling = std::chrono::milliseconds{100};
-constexpr std::int64_t kBuffersToConfirm = 9;  ///< a jump: as many as a ClockMap asks for, and one
 constexpr Duration kStartSpan = std::chrono::milliseconds{500};
 constexpr std::size_t kFewestReadings = 16;
 constexpr std::size_t kStartReadings = 64;  ///< suffice, however short their span
+
+CallbackTimes told(const OutputStream::Reading& reading) {
+  return {reading.sample, Instant{Duration{reading.entry_ns}}, reading.current, reading.output};
+}
 
 }  // namespace
 
@@ -32,8 +34,7 @@ OutputStream::OutputStream(const PortaudioOptions& options)
       channels{static_cast<std::size_t>(
           choose_channels(device, options.channels, options.rate.count()))},
       mixer{nearest_sample(kFade, options.rate).count()},
-      clock{options.rate} {
-  playback.finished = true;
+      follower{options.rate} {
   open(options);
   try {
     await_clock();
@@ -45,7 +46,7 @@ OutputStream::OutputStream(const PortaudioOptions& options)
 }
 
 OutputStream::~OutputStream() {
-  if (playback.lost) {
+  if (follower.playback().lost) {
     session.abandon();  // PortAudio would wait for ever for a sound server that is gone
     return;
   }
@@ -105,10 +106,12 @@ int OutputStream::callback(const void* /*input*/,
 
 void OutputStream::await_clock() {
   const auto deadline = MonotonicClock{}.now() + kLongestStart;
-  const auto enough = [this] {
-    return first_times.size() >= kStartReadings ||
-           (first_times.size() >= kFewestReadings &&
-            first_times.back().entry - first_times.front().entry >= kStartSpan);
+  std::vector<CallbackTimes> first;
+  std::vector<std::int64_t> frames;
+  const auto enough = [&first] {
+    return first.size() >= kStartReadings ||
+           (first.size() >= kFewestReadings &&
+            first.back().entry - first.front().entry >= kStartSpan);
   };
   while (!enough()) {
     if (MonotonicClock{}.now() > deadline) {
@@ -117,83 +120,44 @@ void OutputStream::await_clock() {
                       "in {} s; check "
                       "the sound server, or run without sound by --audio none",
                       describe(device),
-                      first_times.size(),
+                      first.size(),
                       std::chrono::duration<double>{kLongestStart}.count())};
     }
     std::this_thread::sleep_for(std::chrono::milliseconds{2});
     while (const auto reading = times.try_pop()) {
-      first_times.push_back({reading->sample,
-                             Instant{Duration{reading->entry_ns}},
-                             reading->current,
-                             reading->output});
-      largest_buffer = std::max(largest_buffer, reading->frames);
+      first.push_back(told(*reading));
+      frames.push_back(reading->frames);
     }
   }
-  const auto verdict = judge_stream_times(first_times, rate);
+  const auto verdict = judge_stream_times(first, rate);
   stream_times_plausible = verdict.plausible;
   implausible_because = verdict.reason;
-  for (const auto& times_of_one : first_times) {
-    clock.add(output_reading(times_of_one, stream_times_plausible, latency));
-  }
-  last_reading = first_times.back().entry;
+  for (std::size_t i = 0; i < first.size(); ++i) note(first[i], frames[i]);
 }
 
-void OutputStream::add(const Reading& reading) {
-  largest_buffer = std::max(largest_buffer, reading.frames);
-  last_reading = Instant{Duration{reading.entry_ns}};
-  last_sample = reading.sample;
-  const auto jumps = clock.jumps();
-  clock.add(output_reading({reading.sample, last_reading, reading.current, reading.output},
-                           stream_times_plausible,
-                           latency));
-  if (clock.jumps() == jumps || !started) return;
-  const auto heard = *clock.latest_jump() - playback.start_sample;
-  playback.jumped = playback.jumped || (heard > head && heard < length);
-}
-
-/// The onset follows the clock until a tenth of a second has been played and no jump before it can
-/// become known any more, or until a jump comes: what happens to the stream later moves the clock
-/// but not what has been heard.
-void OutputStream::follow_onset() {
-  if (!started || onset_settled) return;
-  const auto first_heard = playback.start_sample + head;
-  onset_settled = clock.latest_jump() > first_heard;
-  if (onset_settled) return;
-  playback.onset = clock.fit()->instant_of(playback.start_sample);
-  const auto settling =
-      std::max(nearest_sample(kSettling, rate).count(), kBuffersToConfirm * largest_buffer);
-  onset_settled = last_sample >= first_heard + settling;
+void OutputStream::note(const CallbackTimes& buffer, std::int64_t frames) {
+  last_reading = buffer.entry;
+  follower.note_buffer(output_reading(buffer, stream_times_plausible, latency), frames);
 }
 
 /// Takes what the callback has left since the last time.
 void OutputStream::collect() {
   take_reports();
-  while (const auto reading = times.try_pop()) {
-    add(*reading);
-  }
-  follow_onset();
-  const auto end = playback.start_sample + length;
-  playback.known =
-      playback.finished && (!started || last_sample >= end + kBuffersToConfirm * largest_buffer);
-  if (MonotonicClock{}.now() - last_reading > kLostAfter) {
-    playback.lost = playback.finished = playback.known = true;
-  }
+  while (const auto reading = times.try_pop()) note(told(*reading), reading->frames);
+  follower.follow();
+  if (MonotonicClock{}.now() - last_reading > kLostAfter) follower.note_loss();
 }
 
 void OutputStream::take_reports() {
   while (const auto report = mixer.next_report()) {
     if (report->kind == MixerReport::Kind::Started) {
       if (report->sound != present) continue;
-      started = true;
-      playback.start_sample = report->at - head;
-      onset_settled = false;
-      playback.onset = clock.fit()->instant_of(playback.start_sample);
+      follower.note_start(report->at);
       continue;
     }
     borrowed.erase(report->sound);
     if (report->sound != present) continue;
-    playback.finished = true;
-    playback.underflows = report->underflows;
+    follower.note_end(report->underflows);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "runner/devices/portaudio/portaudio_output.hpp"
 #include "runner/devices/portaudio/portaudio_session.hpp"
+#include "runner/devices/sound_follower.hpp"
 #include "runner/realtime/latest_ring.hpp"
 #include "runner/realtime/mixer.hpp"
 #include "runner/timing/stream_times.hpp"
@@ -46,8 +47,7 @@ struct OutputStream {
   void open(const PortaudioOptions& options);
   void await_clock();
   void collect();
-  void add(const Reading& reading);
-  void follow_onset();
+  void note(const CallbackTimes& buffer, std::int64_t frames);
   void take_reports();
   void post(const MixerCommand& command);
 
@@ -59,23 +59,15 @@ struct OutputStream {
   LatestRing<Reading, kReadings> times;
 
   PaStream* stream = nullptr;
-  Duration latency{};               ///< as the host states it
-  std::int64_t largest_buffer = 0;  ///< frames
+  Duration latency{};  ///< as the host states it
   bool stream_times_plausible = false;
   std::string_view implausible_because;
-  std::vector<CallbackTimes> first_times;  ///< until the verdict
-  ClockMap clock;
+  SoundFollower follower;
   Instant last_reading;
-  std::int64_t last_sample = 0;  ///< of that reading
 
   std::map<std::uint64_t, Sound> borrowed;
   std::uint64_t present = 0;  ///< number of the last scheduled sound; 0: none
   std::int64_t start = 0;     ///< stream sample for which it is scheduled, without its silent head
-  std::int64_t head = 0;      ///< samples of that
-  std::int64_t length = 0;    ///< samples, with it
-  Playback playback;
-  bool started = false;
-  bool onset_settled = false;
 };
 
 }  // namespace bimodal::runner

@@ -41,36 +41,36 @@ void PortaudioOutput::schedule(const Sound& sound, Instant onset) {
   require_playable(sound, stream_->rate);
   auto& stream = *stream_;
   stream.collect();
-  if (stream.playback.lost) {
+  if (stream.follower.playback().lost) {
     throw SoundLost{fmt::format(
         "the sound output '{}' has stopped asking for samples; check it and go on by `bimodal run "
         "... --resume`",
         describe(stream.device))};
   }
   const auto number = stream.present + 1;
-  stream.head = sound.silent_head;
-  stream.length = static_cast<std::int64_t>(sound.samples->size());
-  stream.start = stream.clock.fit()->sample_at(onset) + stream.head;
+  const auto head = sound.silent_head;
+  const auto length = static_cast<std::int64_t>(sound.samples->size());
+  stream.start = stream.follower.clock().fit()->sample_at(onset) + head;
   auto marker = sound.marker ? mixer_marker(*sound.marker) : MixerMarker{};
-  if (sound.marker) marker.start -= stream.head;
+  if (sound.marker) marker.start -= head;
   stream.post({.kind = MixerCommand::Kind::Start,
                .sound = number,
-               .samples = sound.samples->data() + stream.head,
-               .length = static_cast<std::int64_t>(sound.samples->size()) - stream.head,
+               .samples = sound.samples->data() + head,
+               .length = length - head,
                .start = stream.start,
                .channels = sound.channels,
                .marker = marker});
   stream.borrowed[number] = sound;
   stream.present = number;
-  stream.started = false;
-  stream.playback = Playback{};
+  stream.follower.expect(head, length);
 }
 
 void PortaudioOutput::move(Instant onset) {
   auto& stream = *stream_;
   stream.collect();
-  if (stream.started || stream.playback.finished) return;
-  const auto start = stream.clock.fit()->sample_at(onset) + stream.head;
+  auto& follower = stream.follower;
+  if (follower.started() || follower.playback().finished) return;
+  const auto start = follower.clock().fit()->sample_at(onset) + follower.head();
   if (start == stream.start) return;
   stream.start = start;
   stream.post({.kind = MixerCommand::Kind::Move, .sound = stream.present, .start = start});
@@ -78,20 +78,20 @@ void PortaudioOutput::move(Instant onset) {
 
 void PortaudioOutput::stop() {
   stream_->collect();
-  if (!stream_->playback.finished) {
+  if (!stream_->follower.playback().finished) {
     stream_->post({.kind = MixerCommand::Kind::Stop});
   }
 }
 
 Playback PortaudioOutput::playback() {
   stream_->collect();
-  auto playback = stream_->playback;
+  auto playback = stream_->follower.playback();
   playback.source = time_source();
   return playback;
 }
 
 Duration PortaudioOutput::lead_time() const {
-  const double buffers = 2.0 * static_cast<double>(stream_->largest_buffer);
+  const double buffers = 2.0 * static_cast<double>(stream_->follower.largest_buffer());
   constexpr double kNanosecondsPerSecond = 1e9;
   const Duration two_buffers{std::llround(buffers / stream_->rate.count() * kNanosecondsPerSecond)};
   return stream_->latency + two_buffers + kMargin;
@@ -118,7 +118,7 @@ std::string PortaudioOutput::description() const {
       stream_->rate.count(),
       stream_->channels,
       milliseconds(stream_->latency),
-      stream_->largest_buffer);
+      stream_->follower.largest_buffer());
   if (!stream_->stream_times_plausible) {
     text += fmt::format("; stream times not used: {}", stream_->implausible_because);
   }
@@ -131,7 +131,8 @@ std::string_view PortaudioOutput::time_source() const {
 
 std::optional<DeviceClock> PortaudioOutput::clock() {
   stream_->collect();
-  return DeviceClock{*stream_->clock.fit(), stream_->clock.jumps(), stream_->clock.latest_jump()};
+  auto& clock = stream_->follower.clock();
+  return DeviceClock{*clock.fit(), clock.jumps(), clock.latest_jump()};
 }
 
 }  // namespace bimodal::runner
