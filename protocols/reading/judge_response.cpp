@@ -1,10 +1,12 @@
 #include "protocols/reading/judge_response.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "stimuli/base/json_text.hpp"
+#include "stimuli/base/lower_case.hpp"
 
 namespace bimodal::protocols {
 
@@ -53,12 +55,28 @@ void judge_reference(const Protocol& protocol, Findings& findings) {
   }
 }
 
+/// Labels that only capitals tell apart look alike to whoever reads the data.
+void judge_labels(const Response& response, Findings& findings) {
+  if (response.kind == ResponseKind::Typed || findings.faulty("/response/options")) return;
+  std::map<std::string, std::string> seen;
+  for (std::size_t i = 0; i < response.options.size(); ++i) {
+    const auto& label = response.options[i].label;
+    const auto [other, is_new] = seen.emplace(lower_case(label), label);
+    if (is_new || other->second == label) continue;
+    findings.warning(
+        fmt::format("/response/options/{}/label", i),
+        fmt::format("only capitals tell {} from {}", shown(label), shown(other->second)),
+        "choose labels that differ in their letters");
+  }
+}
+
 }  // namespace
 
 void judge_response(const Protocol& protocol, const std::vector<Word>& words, Findings& findings) {
   if (findings.faulty("/response/kind")) return;
   judge_time_limit(protocol.response, findings);
   judge_length(protocol.response, words, findings);
+  judge_labels(protocol.response, findings);
   judge_reference(protocol, findings);
 }
 

@@ -1,6 +1,7 @@
 #include "protocols/reading/judge_triggers.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -54,12 +55,30 @@ void judge_photodiode(const Protocol& protocol, const Photodiode& patch, Finding
                  "move its middle inwards, or choose a \"corner\"");
 }
 
+/// Who records the bytes must be able to tell the events apart.
+void judge_codes(const SerialTriggers& serial, Findings& findings) {
+  if (findings.faulty("/triggers/serial")) return;
+  const auto& codes = serial.codes;
+  for (std::size_t later = 1; later < codes.size(); ++later) {
+    const auto before = std::span{codes}.first(later);
+    const auto earlier = std::ranges::find(before, codes[later]);
+    if (!codes[later] || earlier == before.end()) continue;
+    findings.warning(
+        fmt::format("/triggers/serial/codes/{}", kTriggerEvents[later]),
+        fmt::format("{} has the code {} too: what is recorded cannot tell the two apart",
+                    kTriggerEvents[static_cast<std::size_t>(earlier - before.begin())],
+                    *codes[later]),
+        "give every event a code of its own");
+  }
+}
+
 }  // namespace
 
 void judge_triggers(const Protocol& protocol, Findings& findings) {
   const auto& triggers = protocol.triggers;
   if (triggers.click) judge_click(protocol, *triggers.click, findings);
   if (triggers.photodiode) judge_photodiode(protocol, *triggers.photodiode, findings);
+  if (triggers.serial) judge_codes(*triggers.serial, findings);
 }
 
 }  // namespace bimodal::protocols

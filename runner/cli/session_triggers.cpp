@@ -1,13 +1,59 @@
 #include "runner/cli/session_triggers.hpp"
 
+#include <filesystem>
+#include <utility>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include "runner/devices/local/socket_port.hpp"
 #include "runner/devices/serial/serial_port.hpp"
 #include "stimuli/base/json_lines.hpp"
 
 namespace bimodal::runner {
+
+namespace {
+
+template <typename Warn>
+void judge_port(const std::string& port, const Warn& warn) {
+  const char* const kPointer = "/triggers/serial/port";
+  if (!std::filesystem::exists(port)) {
+    warn(kPointer,
+         fmt::format("there is no port '{}' here now", port),
+         "connect it before `run`, or see `bimodal devices` for the ports that there are");
+  } else if (!std::filesystem::is_character_file(port)) {
+    warn(kPointer,
+         fmt::format("'{}' is no port", port),
+         "see `bimodal devices` for the ports that there are");
+  } else if (::access(port.c_str(), R_OK | W_OK) != 0) {
+    warn(kPointer,
+         fmt::format("you may not use the port '{}'", port),
+         "become a member of its group (on Debian: dialout) and log in again");
+  }
+}
+
+template <typename Warn>
+void judge_socket(const std::string& path, const Warn& warn) {
+  const char* const kPointer = "/triggers/socket/path";
+  auto folder = std::filesystem::path{path}.parent_path();
+  if (folder.empty()) folder = ".";
+  if (!std::filesystem::is_directory(folder)) {
+    warn(kPointer,
+         fmt::format("there is no folder '{}' here for the socket", folder.string()),
+         "make it before `run`, or choose another path");
+  } else if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    warn(kPointer,
+         fmt::format("you may not make a socket in the folder '{}'", folder.string()),
+         "choose another path");
+  } else if (std::filesystem::exists(path) && !std::filesystem::is_socket(path)) {
+    warn(kPointer,
+         fmt::format("'{}' is there already, and is no socket", path),
+         "move it away, or choose another path");
+  }
+}
+
+}  // namespace
 
 std::vector<std::unique_ptr<TriggerSender>> open_trigger_lines(
     const protocols::Triggers& triggers) {
@@ -41,17 +87,17 @@ std::string trigger_kinds(const protocols::Triggers& triggers) {
 std::vector<Diagnostic> check_trigger_equipment(const protocols::ReadProtocol& read,
                                                 const std::string& file) {
   std::vector<Diagnostic> found;
-  const auto& serial = read.protocol.triggers.serial;
-  if (!serial || std::filesystem::exists(serial->port)) return found;
-  const JsonLines lines{read.text};
-  const std::string pointer = "/triggers/serial/port";
-  found.push_back({.severity = Severity::Warning,
-                   .file = file,
-                   .line = lines.line_of(pointer),
-                   .pointer = pointer,
-                   .finding = fmt::format("there is no port '{}' here now", serial->port),
-                   .remedy = "connect it before `run`, or see `bimodal devices` for the ports "
-                             "that there are"});
+  const auto warn = [&](const std::string& pointer, std::string finding, const char* remedy) {
+    found.push_back({.severity = Severity::Warning,
+                     .file = file,
+                     .line = JsonLines{read.text}.line_of(pointer),
+                     .pointer = pointer,
+                     .finding = std::move(finding),
+                     .remedy = remedy});
+  };
+  const auto& triggers = read.protocol.triggers;
+  if (triggers.serial) judge_port(triggers.serial->port, warn);
+  if (triggers.socket) judge_socket(triggers.socket->path, warn);
   return found;
 }
 

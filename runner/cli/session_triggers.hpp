@@ -21,7 +21,7 @@ namespace bimodal::runner {
 /// The kinds of triggers that a protocol asks for: "photodiode, serial"; empty: none.
 [[nodiscard]] std::string trigger_kinds(const protocols::Triggers& triggers);
 
-/// Warns of equipment that is not connected to this machine now. `file` names the protocol.
+/// Warns of ports and sockets that cannot be used on this machine now. `file` names the protocol.
 [[nodiscard]] std::vector<Diagnostic> check_trigger_equipment(const protocols::ReadProtocol& read,
                                                               const std::string& file);
 

@@ -204,14 +204,18 @@ void add_timing(CLI::App& app, Verb& chosen) {
   verb->add_option("--av-offset-ms", options->av_offset_ms, "intended, audio minus visual (0)")
       ->check(CLI::Range(-150.0, 150.0));
   verb->add_option("--audio", options->audio, "a device's name or number (see `bimodal devices`)");
-  verb->add_option("--input", options->input, "sound input with photodiode and cable, or default");
+  auto* const input = verb->add_option(
+      "--input", options->input, "sound input with photodiode and cable, or default");
   verb->add_option("--photodiode", options->photodiode, "its channel of the input (1)")
+      ->needs(input)
       ->check(whole_number_from(1));
   verb->add_option("--loopback", options->loopback, "the channel with the cable (2)")
+      ->needs(input)
       ->check(whole_number_from(1));
   verb->add_option("--input-delay-ms",
                    options->input_delay_ms,
                    "what reaches the input comes so late, light and sound alike (0)")
+      ->needs(input)
       ->check(CLI::Range(0.0, 1000.0));
   verb->add_option("--calibration", options->calibration, "keeps what was measured under this name")
       ->check(name_that_is_not_empty());

@@ -94,7 +94,9 @@ std::string refresh(const SessionPicture& picture) {
 
 std::string sound(const SessionPicture& picture) {
   if (!picture.knows("health")) return {};
-  auto told = fmt::format("sound: underflows {}", count(picture, "health", "underflows"));
+  auto told = fmt::format("sound: {}underflows {}",
+                          picture.flag("health", "sound_lost") ? "THE DEVICE IS LOST   " : "",
+                          count(picture, "health", "underflows"));
   if (const auto drift = picture.real("health", "sound_drift_ppm")) {
     told += fmt::format("   drift {:+.1f} ppm", *drift);
   }
@@ -102,7 +104,7 @@ std::string sound(const SessionPicture& picture) {
     told +=
         fmt::format("   answers stored within {:.1f} ms", *storing / kNanosecondsPerMillisecond);
   }
-  return told + (picture.flag("health", "sound_lost") ? "   THE DEVICE IS LOST" : "");
+  return told;
 }
 
 std::string who(const SessionPicture& picture) {

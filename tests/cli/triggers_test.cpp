@@ -142,6 +142,18 @@ TEST_F(TriggersCli, PortThatIsNotThereIsWarnedOfAndRefusedBeforeTheSession) {
   EXPECT_FALSE(std::filesystem::exists(path("two.sqlite")));
 }
 
+TEST_F(TriggersCli, PortThatIsNoneAndPlaceWhereNoSocketCanBeAreWarnedOf) {
+  ask_for(serial(path("two.json")));
+  EXPECT_THAT(bimodal({"check", "two.json"}),
+              ended(ExitCode::Findings, HasSubstr("two.json' is no port")));
+  ask_for(R"({"socket": {"path": "nowhere/t.socket"}})");
+  EXPECT_THAT(bimodal({"check", "two.json"}),
+              ended(ExitCode::Findings, HasSubstr("there is no folder 'nowhere'")));
+  ask_for(R"({"socket": {"path": "two.json"}})");
+  EXPECT_THAT(bimodal({"check", "two.json"}),
+              ended(ExitCode::Findings, HasSubstr("'two.json' is there already")));
+}
+
 TEST_F(TriggersCli, SessionWithoutTheEquipmentSaysSoInItsData) {
   ask_for(R"({"photodiode": {}, "click": {"channel": 3}, "serial": {"port": "/dev/ttyNoSuchThing",
              "codes": {"response": 4}}})");

@@ -76,7 +76,7 @@ void OutputStream::open(const PortaudioOptions& options) {
   if (failure != paNoError) {
     throw DeviceError{fmt::format(
         "cannot open the sound output '{}' at {} samples per second: {}; choose another rate or "
-        "device, or run without sound by --audio none",
+        "device (a session can do without: `bimodal run ... --audio none`)",
         describe(device),
         rate.count(),
         Pa_GetErrorText(failure))};
@@ -118,7 +118,7 @@ void OutputStream::await_clock() {
       throw DeviceError{
           fmt::format("cannot use the sound output '{}': it asked for only {} buffers of samples "
                       "in {} s; check "
-                      "the sound server, or run without sound by --audio none",
+                      "the sound server (a session can do without: `bimodal run ... --audio none`)",
                       describe(device),
                       first.size(),
                       std::chrono::duration<double>{kLongestStart}.count())};

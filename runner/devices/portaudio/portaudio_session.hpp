@@ -64,7 +64,7 @@ class PortaudioSession {
 /// How messages name a device of one direction, and the way without it.
 struct SoundUse {
   std::string_view device = "sound output";
-  std::string_view remedy = "run without sound by --audio none";
+  std::string_view remedy = "run a session without sound (`bimodal run ... --audio none`)";
 };
 
 inline constexpr SoundUse kPlaying{};

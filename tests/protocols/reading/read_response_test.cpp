@@ -66,6 +66,13 @@ TEST_F(ReadingResponses, TellOfEveryMistakeAtOnce) {
           AllOf(HasSubstr("/response/options/3"), HasSubstr("nothing chooses \"da\""))));
 }
 
+TEST_F(ReadingResponses, WarnOfLabelsThatOnlyCapitalsTellApart) {
+  EXPECT_THAT(with(R"("response": {"kind": "choice", "options": [
+        {"label": "ba", "key": "b"}, {"label": "da", "key": "d"}, {"label": "BA", "key": "c"}]})"),
+              ElementsAre(AllOf(HasSubstr("/response/options/2/label: warning: only capitals"),
+                                HasSubstr("\"BA\" from \"ba\""))));
+}
+
 TEST_F(ReadingResponses, NeedOptionsForAChoice) {
   EXPECT_THAT(with(R"("response": {"kind": "choice"})"), ElementsAre(HasSubstr("options")));
   EXPECT_THAT(with(R"("response": {"pointer": true})"),

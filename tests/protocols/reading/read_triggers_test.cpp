@@ -87,6 +87,16 @@ TEST_F(ReadingTriggers, ClickWhereNothingIsHeardIsWarnedOf) {
   EXPECT_THAT(messages(silent), ElementsAre(HasSubstr("there is never a click")));
 }
 
+TEST_F(ReadingTriggers, EventsWithTheSameCodeAreWarnedOf) {
+  const auto serial = [](std::string_view codes) {
+    return R"("triggers": {"serial": {"port": "p", "codes": )" + std::string{codes} + "}}";
+  };
+  EXPECT_THAT(with(serial(R"({"trial_start": 1, "visual_zero": 2, "response": 1})")),
+              ElementsAre(AllOf(HasSubstr("/triggers/serial/codes/response: warning: trial_start"),
+                                HasSubstr("has the code 1 too"))));
+  EXPECT_THAT(with(serial(R"({"visual_zero": 2, "response": 1})")), IsEmpty());
+}
+
 TEST_F(ReadingTriggers, PatchMustLieWithinTheWindow) {
   EXPECT_THAT(with(R"("triggers": {"photodiode": {"size_px": 1100}})"),
               ElementsAre(HasSubstr("is larger than the window, 1280 x 1024")));

@@ -73,7 +73,7 @@ TEST(ChooseDevice, ListsTheDevicesThatThereAre) {
 TEST(ChooseDevice, NamesTheWayOutIfThereIsNoDevice) {
   EXPECT_EQ(message_of({}, ""),
             "cannot open a sound output: this machine has none; connect one, start a sound server, "
-            "or run without sound by --audio none");
+            "or run a session without sound (`bimodal run ... --audio none`)");
 }
 
 TEST(ChooseChannels, TakesTwoOrTheOnlyOneUnlessMoreAreAskedFor) {
