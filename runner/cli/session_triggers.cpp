@@ -17,28 +17,32 @@ namespace {
 
 template <typename Warn>
 void judge_port(const std::string& port, const Warn& warn) {
-  const char* const kPointer = "/triggers/serial/port";
-  if (!std::filesystem::exists(port)) {
+  constexpr const char* kPointer = "/triggers/serial/port";
+  std::error_code fault;  // of a folder, say, that may not be searched
+  const auto kind = std::filesystem::status(port, fault).type();
+  if (kind == std::filesystem::file_type::not_found) {
     warn(kPointer,
          fmt::format("there is no port '{}' here now", port),
          "connect it before `run`, or see `bimodal devices` for the ports that there are");
-  } else if (!std::filesystem::is_character_file(port)) {
-    warn(kPointer,
-         fmt::format("'{}' is no port", port),
-         "see `bimodal devices` for the ports that there are");
   } else if (::access(port.c_str(), R_OK | W_OK) != 0) {
     warn(kPointer,
          fmt::format("you may not use the port '{}'", port),
          "become a member of its group (on Debian: dialout) and log in again");
+  } else if (kind != std::filesystem::file_type::character) {
+    warn(kPointer,
+         fmt::format("'{}' is no port", port),
+         "see `bimodal devices` for the ports that there are");
   }
 }
 
 template <typename Warn>
 void judge_socket(const std::string& path, const Warn& warn) {
-  const char* const kPointer = "/triggers/socket/path";
+  constexpr const char* kPointer = "/triggers/socket/path";
   auto folder = std::filesystem::path{path}.parent_path();
   if (folder.empty()) folder = ".";
-  if (!std::filesystem::is_directory(folder)) {
+  std::error_code fault;
+  const auto kind = std::filesystem::status(folder, fault).type();
+  if (kind == std::filesystem::file_type::not_found) {
     warn(kPointer,
          fmt::format("there is no folder '{}' here for the socket", folder.string()),
          "make it before `run`, or choose another path");
@@ -46,7 +50,7 @@ void judge_socket(const std::string& path, const Warn& warn) {
     warn(kPointer,
          fmt::format("you may not make a socket in the folder '{}'", folder.string()),
          "choose another path");
-  } else if (std::filesystem::exists(path) && !std::filesystem::is_socket(path)) {
+  } else if (std::filesystem::exists(path, fault) && !std::filesystem::is_socket(path, fault)) {
     warn(kPointer,
          fmt::format("'{}' is there already, and is no socket", path),
          "move it away, or choose another path");

@@ -1,6 +1,7 @@
 #include "runner/preparation/film_cache.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -34,6 +35,18 @@ bool is_private(const fs::path& folder) {
   constexpr mode_t kOthersWrite = S_IWGRP | S_IWOTH;
   return ::stat(folder.c_str(), &found) == 0 && S_ISDIR(found.st_mode) &&
          found.st_uid == ::geteuid() && (found.st_mode & kOthersWrite) == 0;
+}
+
+/// Whether the file ends as every film does.
+bool has_end(const fs::path& file) {
+  std::ifstream stream{file, std::ios::binary};
+  stream.seekg(-static_cast<std::streamoff>(kFilmDigest), std::ios::end);
+  std::array<char, kFilmDigest> end{};
+  stream.read(end.data(), end.size());
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  return stream && std::ranges::all_of(end, [&](char digit) {
+           return kDigits.find(digit) != std::string_view::npos;
+         });
 }
 
 struct KeptFile {
@@ -93,6 +106,7 @@ std::optional<std::uintmax_t> FilmCache::use(const std::string& key) const {
   const auto file = file_of(key);
   std::error_code fault;
   if (!is_private(folder_) || !fs::is_regular_file(file, fault)) return std::nullopt;
+  if (!has_end(file)) return std::nullopt;
   fs::last_write_time(file, fs::file_time_type::clock::now(), fault);
   const auto bytes = fs::file_size(file, fault);
   if (fault) return std::nullopt;

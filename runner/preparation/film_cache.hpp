@@ -26,8 +26,8 @@ class FilmCache {
   [[nodiscard]] std::optional<Film> find(const std::string& key,
                                          const Checkpoint& checkpoint) const;
 
-  /// The bytes that a kept film takes, which counts as used now; absent if there is none. Does not
-  /// look at what is in it.
+  /// The bytes that a kept film takes, which counts as used now; absent if there is none, or
+  /// one without an end, as a power cut leaves it. Does not look at what else is in it.
   [[nodiscard]] std::optional<std::uintmax_t> use(const std::string& key) const;
 
   [[nodiscard]] std::uintmax_t most_bytes() const { return most_bytes_; }

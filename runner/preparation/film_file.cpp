@@ -15,7 +15,6 @@ namespace bimodal::runner {
 namespace {
 
 constexpr std::string_view kMagic = "BIMFILM1";
-constexpr std::size_t kDigest = 64;  ///< hexadecimal digits
 constexpr std::size_t kBytesPerPixel = 4;
 constexpr std::size_t kLargestSide = 16'384;
 constexpr int kFastest = 1;  ///< of zlib: three times as fast as its usual, a quarter larger
@@ -147,8 +146,8 @@ std::string packed(const Film& film, std::string_view key, const Checkpoint& che
 std::optional<Film> unpacked(std::string_view bytes,
                              std::string_view key,
                              const Checkpoint& checkpoint) {
-  if (bytes.size() < kDigest) return std::nullopt;
-  const auto content = bytes.substr(0, bytes.size() - kDigest);
+  if (bytes.size() < kFilmDigest) return std::nullopt;
+  const auto content = bytes.substr(0, bytes.size() - kFilmDigest);
   if (checksum(content, key) != bytes.substr(content.size())) return std::nullopt;
   return film_in(Parts{content}, checkpoint);
 }

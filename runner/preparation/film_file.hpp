@@ -17,6 +17,9 @@ namespace bimodal::runner {
                                  std::string_view key,
                                  const Checkpoint& checkpoint);
 
+/// So many bytes are at the end of every film, all of them hexadecimal digits.
+inline constexpr std::size_t kFilmDigest = 64;
+
 /// The very film; absent if the bytes are not what packed() made under this key. The bytes are not
 /// trusted.
 [[nodiscard]] std::optional<Film> unpacked(std::string_view bytes,

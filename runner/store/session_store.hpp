@@ -10,7 +10,8 @@
 namespace bimodal::runner {
 
 /// Where sessions are kept while they run. Every call but settle() is one committed transaction:
-/// when it returns, the data are on the disk. Calls come from one thread. All throw StoreError.
+/// when it returns, the data are on the disk. Calls follow each other, from whatever thread; only
+/// settle() may meet another, and then one of the two waits. All throw StoreError.
 class SessionStore {
  public:
   SessionStore() = default;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <mutex>
 #include <string>
 
 #include "runner/store/number_lists.hpp"
@@ -17,6 +18,7 @@ class SqliteStore final : public SessionStore {
       : database_{file, Database::Access::Write}, schema_{database_, file.string()} {}
 
   std::int64_t begin(const SessionRecord& session, std::span<const PlanRecord> plan) override {
+    const std::lock_guard lock{mutex_};
     Transaction transaction{database_};
     insert_protocol_.reset()
         .bind(session.protocol_sha256)
@@ -27,10 +29,12 @@ class SqliteStore final : public SessionStore {
     const auto id = database_.last_row();
     for (const auto& planned : plan) insert_plan(id, planned);
     transaction.commit();
+    database_.empty_log();  // the file alone says from now on what it is
     return id;
   }
 
   void add(std::int64_t session, const TrialRecord& trial) override {
+    const std::lock_guard lock{mutex_};
     database_.require_in_place();
     Transaction transaction{database_};
     insert_trial(session, trial);
@@ -72,21 +76,28 @@ class SqliteStore final : public SessionStore {
   }
 
   void add(std::int64_t session, const PlanRecord& planned) override {
+    const std::lock_guard lock{mutex_};
     insert_plan(session, planned);
   }
 
   void add(std::int64_t session, const EventRecord& event) override {
+    const std::lock_guard lock{mutex_};
     insert_event(session, std::nullopt, event);
   }
 
-  void reopen(std::int64_t session) override { reopen_session_.reset().bind(session).run(); }
+  void reopen(std::int64_t session) override {
+    const std::lock_guard lock{mutex_};
+    reopen_session_.reset().bind(session).run();
+  }
 
   void end(std::int64_t session, std::string_view outcome, std::string_view ended_utc) override {
+    const std::lock_guard lock{mutex_};
     end_session_.reset().bind(outcome).bind(ended_utc).bind(session).run();
   }
 
   void settle() override {
     constexpr int kMuch = 160;  // pages, those of about 20 trials
+    const std::lock_guard lock{mutex_};
     if (database_.log_pages() >= kMuch) database_.empty_log();
   }
 
@@ -265,6 +276,7 @@ class SqliteStore final : public SessionStore {
         .run();
   }
 
+  std::mutex mutex_;  ///< over all that follows
   Database database_;
   Schema schema_;
   Statement insert_protocol_{

@@ -111,6 +111,19 @@ TEST_F(FilmCaches, NeverGiveOutWhatIsDamaged) {
   EXPECT_TRUE(is_refused(read_file(folder() / "b.film")));
 }
 
+TEST_F(FilmCaches, DoNotCountAFilmWithoutItsEndAsKept) {
+  const FilmCache cache{folder()};
+  cache.keep("a", film_of(4), kNoRest);
+  const auto file = folder() / "a.film";
+  const auto size = fs::file_size(file);
+  EXPECT_EQ(cache.use("a"), size);
+  fs::resize_file(file, size - 1);
+  fs::resize_file(file, size);  // with a byte of 0 at its end, as a power cut may leave it
+  EXPECT_FALSE(cache.use("a"));
+  fs::resize_file(file, 0);
+  EXPECT_FALSE(cache.use("a"));
+}
+
 TEST_F(FilmCaches, DropTheFilmsThatHaveNotBeenUsedForLongest) {
   const auto one = packed(film_of(40), "a", kNoRest).size();
   const FilmCache cache{folder(), 3 * one + one / 2};
