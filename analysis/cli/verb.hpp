@@ -38,6 +38,11 @@ void add_analysis_options(CLI::App& verb, AnalysisRequest& request);
 /// Each adds its verb to the program; `chosen` becomes the verb that the user named.
 void add_report_verb(CLI::App& program, Verb& chosen);
 void add_matrix_verb(CLI::App& program, Verb& chosen);
+void add_information_verb(CLI::App& program, Verb& chosen);
+void add_sinfa_verb(CLI::App& program, Verb& chosen);
+void add_cluster_verb(CLI::App& program, Verb& chosen);
+void add_mds_verb(CLI::App& program, Verb& chosen);
+void add_proportions_verb(CLI::App& program, Verb& chosen);
 
 /// Of the program, e.g. "0.1.0".
 [[nodiscard]] std::string_view program_version();

@@ -73,6 +73,13 @@ ConfusionMatrix::ConfusionMatrix(std::vector<std::string> stimuli,
       responses_{std::move(responses)},
       counts_(stimuli_.size() * responses_.size(), 0) {}
 
+ConfusionMatrix::ConfusionMatrix(std::vector<std::string> stimuli,
+                                 std::vector<std::string> responses,
+                                 std::vector<std::int64_t> counts)
+    : stimuli_{std::move(stimuli)}, responses_{std::move(responses)}, counts_{std::move(counts)} {
+  assert(counts_.size() == stimuli_.size() * responses_.size());
+}
+
 void ConfusionMatrix::add(std::string_view stimulus, std::string_view response) {
   ++counts_[index_of(stimuli_, stimulus) * responses_.size() + index_of(responses_, response)];
 }

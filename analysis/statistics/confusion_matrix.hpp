@@ -17,6 +17,11 @@ class ConfusionMatrix {
   /// All counts 0. Labels within an axis are different.
   ConfusionMatrix(std::vector<std::string> stimuli, std::vector<std::string> responses);
 
+  /// `counts` row by row, all >= 0.
+  ConfusionMatrix(std::vector<std::string> stimuli,
+                  std::vector<std::string> responses,
+                  std::vector<std::int64_t> counts);
+
   [[nodiscard]] const std::vector<std::string>& stimuli() const { return stimuli_; }
 
   [[nodiscard]] const std::vector<std::string>& responses() const { return responses_; }

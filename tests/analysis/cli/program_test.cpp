@@ -117,7 +117,7 @@ TEST_F(Program, NamesTheConditionsThatThereAre) {
   EXPECT_EQ(ambiguous.code, ExitCode::InvalidInput);
   EXPECT_EQ(
       ambiguous.err,
-      "bimodal-analysis: printing a confusion matrix: the data have several conditions; choose "
+      "bimodal-analysis: choosing a confusion matrix: the data have several conditions; choose "
       "with --condition one of: auditory, visual\n");
   const auto unknown =
       run({"matrix", data, "--unit", "vowel", "--condition", "av", "--dictionary", dictionary()});

@@ -1,0 +1,60 @@
+#include <memory>
+
+#include "analysis/cli/matrix_source.hpp"
+#include "analysis/data/feature_file.hpp"
+#include "analysis/report/information_table.hpp"
+
+namespace bimodal::analysis {
+
+namespace {
+
+struct InformationRequest {
+  MatrixChoice choice;
+  std::filesystem::path features;
+  OutputForm form;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  bimodal-analysis information m.csv
+  bimodal-analysis information m.csv --features f.csv --json
+  bimodal-analysis information session.sqlite --unit consonant-initial --condition visual
+
+Entropies of stimuli H(x) and responses H(y), and what was transmitted, T, in bits. Of
+few responses T is too large; it is printed with two corrections, of which one takes off
+too little and the other, where most cells cannot occur, too much. Per feature, what was transmitted of it: responses that have no value of the
+feature ("blank", say) are left out, and counted.
+
+The file of features: a line with their names, like label,voicing,place, then a line per
+label, like p,voiceless,labial.)";
+
+ExitCode print_information(const InformationRequest& request, Console console) {
+  const auto chosen = load_chosen(request.choice, console);
+  if (!chosen) return ExitCode::Findings;
+  const auto features = request.features.empty() ? FeatureTable{} : read_features(request.features);
+  const auto table = tabulate_information(chosen->title, chosen->matrix, features);
+  if (request.form.json) {
+    console.out << information_json(table);
+  } else {
+    console.out << (request.form.csv ? information_csv(table) : information_text(table));
+  }
+  console.out << std::flush;
+  for (const auto& warning : chosen->warnings) console.err << "warning: " << warning << '\n';
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+void add_information_verb(CLI::App& program, Verb& chosen) {
+  const auto request = std::make_shared<InformationRequest>();
+  auto* const verb = program.add_subcommand(
+      "information", "How much of the stimuli, and of each of their features, came through");
+  verb->footer(kExamples);
+  add_matrix_options(*verb, request->choice);
+  verb->add_option("--features", request->features, "What the sounds are like, as CSV");
+  add_output_form(*verb, request->form);
+  verb->callback([request, &chosen] {
+    chosen = [request](Console console) { return print_information(*request, console); };
+  });
+}
+
+}  // namespace bimodal::analysis

@@ -1,0 +1,116 @@
+#include "analysis/cli/matrix_source.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "analysis/data/matrix_file.hpp"
+#include "stimuli/base/error.hpp"
+#include "stimuli/base/lower_case.hpp"
+
+namespace bimodal::analysis {
+
+namespace {
+
+bool is_csv(const std::filesystem::path& file) {
+  return lower_case(file.extension().string()) == ".csv";
+}
+
+const UnitConfusions& find_table(const Results& results, const MatrixChoice& choice) {
+  std::vector<std::string> names;
+  for (const auto& condition : results.conditions) names.push_back(condition.name);
+  const bool only = choice.condition.empty() && names.size() == 1;
+  const auto& wanted = only ? names.front() : choice.condition;
+  const auto found = std::ranges::find_if(results.confusions, [&](const UnitConfusions& table) {
+    return name(table.unit) == choice.unit && table.condition == wanted;
+  });
+  if (found != results.confusions.end()) return *found;
+  throw Error{fmt::format("choosing a confusion matrix: {}; choose with --condition one of: {}",
+                          wanted.empty() ? std::string{"the data have several conditions"}
+                                         : fmt::format("the data have no condition \"{}\"", wanted),
+                          fmt::join(names, ", "))};
+}
+
+/// Options that a matrix as CSV leaves nothing to choose by.
+void require_no_choice(const MatrixChoice& choice) {
+  if (choice.analysis.data.size() > 1) {
+    throw Error{
+        "choosing a confusion matrix: several files, one of them CSV; name one CSV file, or "
+        "data files of sessions only"};
+  }
+  const auto& selection = choice.analysis.selection;
+  const bool chooses = !choice.unit.empty() || !choice.condition.empty() ||
+                       selection.include_practice || selection.exclude_flagged ||
+                       selection.exclude_simulated || !selection.participants.empty();
+  if (!chooses) return;
+  throw Error{fmt::format(
+      "'{}' is a matrix of counts, which has no trials to choose from; leave out --unit, "
+      "--condition, --participant, --include-practice and --exclude-...",
+      choice.analysis.data.front().string())};
+}
+
+}  // namespace
+
+void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
+  choice.analysis.bootstrap.draws = 0;  // a matrix of counts has no intervals
+  add_analysis_options(verb, choice.analysis);
+  verb.get_option("DATA")->description(
+      "Data files written by bimodal run or bimodal rehearse, or one confusion matrix as CSV: "
+      "first "
+      "column stimulus, then one column of counts per response");
+  verb.add_option("--unit", choice.unit, "Which phones of the words; needed of sessions")
+      ->check(CLI::IsMember({"consonant-initial", "vowel", "consonant-final"}));
+  verb.add_option(
+      "--condition", choice.condition, "Which condition of sessions; needed if there are several");
+}
+
+void add_output_form(CLI::App& verb, OutputForm& form) {
+  auto* const json = verb.add_flag("--json", form.json, "Every figure, in full precision");
+  verb.add_flag("--csv", form.csv, "The same as CSV, a line for each feature")->excludes(json);
+}
+
+bool is_matrix_file(const MatrixChoice& choice) {
+  const bool any = std::ranges::any_of(choice.analysis.data, is_csv);
+  if (any) require_no_choice(choice);
+  return any;
+}
+
+std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
+                                              Console console,
+                                              std::vector<std::string>& warnings) {
+  if (choice.unit.empty()) {
+    throw Error{
+        "choosing a confusion matrix: which phones of the words? Give --unit consonant-initial, "
+        "vowel or consonant-final"};
+  }
+  const auto results = analyse_request(choice.analysis, console);
+  if (results.dataset.trials.empty()) {
+    console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
+    return std::nullopt;
+  }
+  warnings = results.dataset.warnings;
+  if (std::ranges::any_of(results.dataset.trials, &Trial::simulated)) {
+    warnings.emplace_back("SIMULATED sessions are among the data");
+  }
+  return find_table(results, choice);
+}
+
+std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console console) {
+  ChosenMatrix chosen;
+  if (is_matrix_file(choice)) {
+    const auto& file = choice.analysis.data.front();
+    chosen.title = file.string();
+    chosen.matrix = read_matrix(file);
+  } else {
+    auto table = tabulate_chosen(choice, console, chosen.warnings);
+    if (!table) return std::nullopt;
+    chosen.title = fmt::format("{}, condition {}", title(table->unit), table->condition);
+    chosen.matrix = std::move(table->matrix);
+  }
+  if (chosen.matrix.total() > 0) return chosen;
+  console.err << "bimodal-analysis: " << chosen.title << ": the matrix has no responses\n";
+  return std::nullopt;
+}
+
+}  // namespace bimodal::analysis

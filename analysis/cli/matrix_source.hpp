@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/cli/verb.hpp"
+#include "analysis/statistics/confusion_matrix.hpp"
+
+namespace bimodal::analysis {
+
+/// Which confusion matrix a verb is about: that of a CSV file, or of a unit and a condition of
+/// stored sessions.
+struct MatrixChoice {
+  AnalysisRequest analysis;
+  std::string unit;
+  std::string condition;
+};
+
+/// Adds DATA, the options that choose trials, --unit and --condition. `choice` must outlive `verb`.
+void add_matrix_options(CLI::App& verb, MatrixChoice& choice);
+
+/// A matrix, and what must be known of it.
+struct ChosenMatrix {
+  std::string title;  ///< "m.csv"; "Vowels, condition visual"
+  ConfusionMatrix matrix;
+  std::vector<std::string> warnings;
+};
+
+/// Whether DATA is a matrix as CSV (by its name's ending).
+[[nodiscard]] bool is_matrix_file(const MatrixChoice& choice);
+
+/// Of stored sessions. Absent, and said why on `console.err`, if no trial is left. Throws Error or
+/// StoreError.
+[[nodiscard]] std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
+                                                            Console console,
+                                                            std::vector<std::string>& warnings);
+
+/// How figures are printed.
+struct OutputForm {
+  bool json = false;
+  bool csv = false;
+};
+
+/// Adds --json and --csv. `form` must outlive `verb`.
+void add_output_form(CLI::App& verb, OutputForm& form);
+
+/// Absent, and said why on `console.err`, if no response is left. Throws Error or StoreError.
+[[nodiscard]] std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console console);
+
+}  // namespace bimodal::analysis

@@ -1,0 +1,115 @@
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "analysis/cli/matrix_source.hpp"
+#include "analysis/report/structure_table.hpp"
+
+namespace bimodal::analysis {
+
+namespace {
+
+struct StructureRequest {
+  MatrixChoice choice;
+  DissimilarityMeasure measure = DissimilarityMeasure::Phi;
+  Linkage linkage = Linkage::Average;
+  double criterion = 0.75;
+  std::size_t dimensions = 2;
+  OutputForm form;
+};
+
+constexpr const char* kClusterExamples = R"(Examples:
+  bimodal-analysis cluster m.csv --linkage average --criterion 0.75
+  bimodal-analysis cluster session.sqlite --unit consonant-initial --condition visual --json
+
+Stimuli whose responses are alike become one class first. The classes are those after the
+fewest merges by which every class keeps the criterion's part of the responses to its
+members: visemes, if nothing was heard. CSV has the classes, JSON the merges too
+(clusters 0 to n-1 are the stimuli, the k-th merge makes cluster n+k).)";
+
+constexpr const char* kMdsExamples = R"(Examples:
+  bimodal-analysis mds m.csv
+  bimodal-analysis mds m.csv --dimensions 3 --dissimilarity confusion --json
+
+Lays the stimuli out so that those lie near each other whose responses are alike.
+Stress-1 tells how far the distances are from the dissimilarities: 0 is perfect.)";
+
+void add_measure(CLI::App& verb, StructureRequest& request) {
+  const std::map<std::string, DissimilarityMeasure> measures{
+      {"phi", DissimilarityMeasure::Phi}, {"confusion", DissimilarityMeasure::Confusion}};
+  verb.add_option("--dissimilarity",
+                  request.measure,
+                  "phi: by the whole rows (default); confusion: by how often the two are answered "
+                  "for each other")
+      ->transform(CLI::CheckedTransformer(measures, CLI::ignore_case).description("phi|confusion"));
+}
+
+ExitCode finish(const ChosenMatrix& chosen, const std::string& text, Console console) {
+  console.out << text << std::flush;
+  for (const auto& warning : chosen.warnings) console.err << "warning: " << warning << '\n';
+  return ExitCode::Done;
+}
+
+ExitCode print_clusters(const StructureRequest& request, Console console) {
+  const auto chosen = load_chosen(request.choice, console);
+  if (!chosen) return ExitCode::Findings;
+  const auto table = tabulate_clusters(
+      chosen->title, chosen->matrix, request.measure, request.linkage, request.criterion);
+  if (request.form.json) return finish(*chosen, cluster_json(table), console);
+  return finish(*chosen, request.form.csv ? cluster_csv(table) : cluster_text(table), console);
+}
+
+ExitCode print_layout(const StructureRequest& request, Console console) {
+  const auto chosen = load_chosen(request.choice, console);
+  if (!chosen) return ExitCode::Findings;
+  const auto unlike = dissimilarities(chosen->matrix, request.measure);
+  const LayoutTable table{.title = chosen->title,
+                          .measure = request.measure,
+                          .labels = unlike.labels(),
+                          .layout = scale_classically(unlike, request.dimensions)};
+  if (request.form.json) return finish(*chosen, layout_json(table), console);
+  return finish(*chosen, request.form.csv ? layout_csv(table) : layout_text(table), console);
+}
+
+}  // namespace
+
+void add_cluster_verb(CLI::App& program, Verb& chosen) {
+  const auto request = std::make_shared<StructureRequest>();
+  auto* const verb =
+      program.add_subcommand("cluster", "Which stimuli are alike: clusters, and visemes");
+  verb->footer(kClusterExamples);
+  add_matrix_options(*verb, request->choice);
+  add_measure(*verb, *request);
+  const std::map<std::string, Linkage> linkages{
+      {"single", Linkage::Single}, {"complete", Linkage::Complete}, {"average", Linkage::Average}};
+  verb->add_option("--linkage", request->linkage, "single, complete or average (default)")
+      ->transform(CLI::CheckedTransformer(linkages, CLI::ignore_case)
+                      .description("single|complete|average"));
+  verb->add_option("--criterion",
+                   request->criterion,
+                   "What every class must keep of the responses to its members")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  add_output_form(*verb, request->form);
+  verb->callback([request, &chosen] {
+    chosen = [request](Console console) { return print_clusters(*request, console); };
+  });
+}
+
+void add_mds_verb(CLI::App& program, Verb& chosen) {
+  const auto request = std::make_shared<StructureRequest>();
+  auto* const verb =
+      program.add_subcommand("mds", "Where the stimuli lie if alike ones lie near each other");
+  verb->footer(kMdsExamples);
+  add_matrix_options(*verb, request->choice);
+  add_measure(*verb, *request);
+  verb->add_option("--dimensions", request->dimensions, "Of the layout")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10));
+  add_output_form(*verb, request->form);
+  verb->callback([request, &chosen] {
+    chosen = [request](Console console) { return print_layout(*request, console); };
+  });
+}
+
+}  // namespace bimodal::analysis

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bimodal::analysis {
+
+/// So many of so many, and what the file says of them.
+struct CountedSuccesses {
+  std::vector<std::string> labels;  ///< the line's other fields, in their order
+  std::int64_t successes = 0;
+  std::int64_t trials = 0;
+};
+
+struct CountsTable {
+  std::vector<std::string> labels;  ///< names of the other columns
+  std::vector<CountedSuccesses> rows;
+};
+
+/// Counts as CSV, with a column "k" of successes and a column "n" of trials among its columns.
+/// Throws Error, naming file and line; also where k > n.
+[[nodiscard]] CountsTable parse_counts(std::string_view text, std::string_view file);
+
+/// The same of a file.
+[[nodiscard]] CountsTable read_counts(const std::filesystem::path& file);
+
+}  // namespace bimodal::analysis

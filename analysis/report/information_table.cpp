@@ -1,0 +1,170 @@
+#include "analysis/report/information_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/report/csv.hpp"
+#include "stimuli/base/error.hpp"
+
+namespace bimodal::analysis {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kWhole = "(all)";
+
+FeatureInformation information_of(const ConfusionMatrix& matrix,
+                                  const FeatureTable& features,
+                                  std::size_t feature) {
+  const auto groups = grouped(matrix,
+                              features.values_of(matrix.stimuli(), feature),
+                              features.values_of(matrix.responses(), feature));
+  return {.feature = features.features[feature],
+          .left_out = matrix.total() - groups.total(),
+          .information = information(groups)};
+}
+
+std::string text_row(std::string_view name,
+                     std::size_t width,
+                     const Information& found,
+                     std::int64_t left_out) {
+  return fmt::format("  {:<{}}{:>8}{:>9.3f}{:>9.3f}{:>9.3f}{:>8}{:>9.3f}{:>9.3f}{}\n",
+                     name,
+                     width,
+                     found.responses,
+                     found.stimulus_entropy,
+                     found.response_entropy,
+                     found.transmitted,
+                     found.relative ? fmt::format("{:.3f}", *found.relative) : "-",
+                     found.miller_madow,
+                     found.all_cells_possible,
+                     left_out == 0 ? "" : fmt::format("   {} left out", left_out));
+}
+
+Json as_json(const Information& found) {
+  return {{"n", found.responses},
+          {"stimulus_entropy_bits", found.stimulus_entropy},
+          {"response_entropy_bits", found.response_entropy},
+          {"joint_entropy_bits", found.joint_entropy},
+          {"transmitted_bits", found.transmitted},
+          {"transmitted_relative", found.relative ? Json(*found.relative) : Json()},
+          {"transmitted_miller_madow_bits", found.miller_madow},
+          {"transmitted_all_cells_possible_bits", found.all_cells_possible}};
+}
+
+void append_line(std::string& table,
+                 std::string_view name,
+                 const std::optional<Information>& found,
+                 std::int64_t left_out) {
+  std::vector<CsvField> line{name, left_out};
+  if (found) {
+    line.insert(line.end(),
+                {found->responses,
+                 found->stimulus_entropy,
+                 found->response_entropy,
+                 found->joint_entropy,
+                 found->transmitted,
+                 found->relative ? CsvField{*found->relative} : CsvField{},
+                 found->miller_madow,
+                 found->all_cells_possible});
+  } else {
+    line.insert(line.end(), {std::int64_t{0}, {}, {}, {}, {}, {}, {}, {}});
+  }
+  append_csv(table, line);
+}
+
+}  // namespace
+
+InformationTable tabulate_information(std::string title,
+                                      const ConfusionMatrix& matrix,
+                                      const FeatureTable& features) {
+  const auto whole = information(matrix);
+  if (!whole) throw Error{fmt::format("{}: the matrix has no responses", title)};
+  InformationTable table{.title = std::move(title), .whole = *whole, .features = {}};
+  for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
+    if (matrix.row_total(i) > 0) ++table.stimuli;
+  }
+  if (!features.features.empty()) require_stimuli(matrix, features);
+  for (std::size_t feature = 0; feature < features.features.size(); ++feature) {
+    table.features.push_back(information_of(matrix, features, feature));
+  }
+  return table;
+}
+
+std::string information_text(const InformationTable& table) {
+  std::size_t width = kWhole.size();
+  for (const auto& feature : table.features) width = std::max(width, feature.feature.size());
+  auto text =
+      fmt::format("{}: information in bits\n\n  {:<{}}{:>8}{:>9}{:>9}{:>9}{:>8}{:>9}{:>9}\n",
+                  table.title,
+                  "",
+                  width,
+                  "n",
+                  "H(x)",
+                  "H(y)",
+                  "T",
+                  "T/H(x)",
+                  "T (MM)",
+                  "T (rc)");
+  text += text_row(kWhole, width, table.whole, 0);
+  for (const auto& feature : table.features) {
+    if (feature.information) {
+      text += text_row(feature.feature, width, *feature.information, feature.left_out);
+    } else {
+      text += fmt::format(
+          "  {:<{}}{:>8}   all {} left out\n", feature.feature, width, 0, feature.left_out);
+    }
+  }
+  text += fmt::format(
+      "\nT: transmitted, as observed: of few responses too large. It is corrected in two\n"
+      "ways, to be read together: by Miller & Madow for the cells that occurred (MM: takes\n"
+      "off too little), and by (r-1)(c-1)/(2n ln 2) as if every cell were possible (rc:\n"
+      "takes off too much where most are not, and a little too little where all are).\n"
+      "Stimuli: {}, with {:.1f} responses each on average. There is no interval: of none is\n"
+      "it known that it covers what it says at such counts.\n",
+      table.stimuli,
+      static_cast<double>(table.whole.responses) / static_cast<double>(table.stimuli));
+  return text;
+}
+
+std::string information_csv(const InformationTable& table) {
+  std::string text;
+  const std::vector<CsvField> header{std::string_view{"feature"},
+                                     std::string_view{"left_out"},
+                                     std::string_view{"n"},
+                                     std::string_view{"stimulus_entropy_bits"},
+                                     std::string_view{"response_entropy_bits"},
+                                     std::string_view{"joint_entropy_bits"},
+                                     std::string_view{"transmitted_bits"},
+                                     std::string_view{"transmitted_relative"},
+                                     std::string_view{"transmitted_miller_madow_bits"},
+                                     std::string_view{"transmitted_all_cells_possible_bits"}};
+  append_csv(text, header);
+  append_line(text, kWhole, table.whole, 0);
+  for (const auto& feature : table.features) {
+    append_line(text, feature.feature, feature.information, feature.left_out);
+  }
+  return text;
+}
+
+std::string information_json(const InformationTable& table) {
+  Json json{{"title", table.title}, {"stimuli", table.stimuli}};
+  json.update(as_json(table.whole));
+  json["features"] = Json::array();
+  for (const auto& feature : table.features) {
+    Json row{{"feature", feature.feature}, {"left_out", feature.left_out}};
+    if (feature.information) {
+      row.update(as_json(*feature.information));
+    } else {
+      row["n"] = 0;
+    }
+    json["features"].push_back(std::move(row));
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace bimodal::analysis

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/data/feature_file.hpp"
+#include "analysis/statistics/information.hpp"
+
+namespace bimodal::analysis {
+
+/// How much of one feature came through.
+struct FeatureInformation {
+  std::string feature;
+  std::int64_t left_out = 0;  ///< responses whose label has no value of it ("blank", say)
+  std::optional<Information> information;  ///< absent if all are left out
+};
+
+/// How much of the stimuli of one matrix came through, and of each of their features.
+struct InformationTable {
+  std::string title;
+  std::size_t stimuli = 0;  ///< that were presented
+  Information whole;
+  std::vector<FeatureInformation> features;
+};
+
+/// The matrix has responses. Throws Error if a stimulus that was presented is not in the table of
+/// features.
+[[nodiscard]] InformationTable tabulate_information(std::string title,
+                                                    const ConfusionMatrix& matrix,
+                                                    const FeatureTable& features = {});
+
+/// For people: two or three decimals, what the numbers mean, and how far to trust them.
+[[nodiscard]] std::string information_text(const InformationTable& table);
+
+/// Every figure in full precision: a line for the whole and one for each feature.
+[[nodiscard]] std::string information_csv(const InformationTable& table);
+
+/// The same as JSON.
+[[nodiscard]] std::string information_json(const InformationTable& table);
+
+}  // namespace bimodal::analysis
