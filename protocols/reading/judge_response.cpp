@@ -70,6 +70,27 @@ void judge_labels(const Response& response, Findings& findings) {
   }
 }
 
+/// A choice among words of the list leaves those that are no label never right. Labels may also be
+/// none of the words: sounds, say, or how sure one is.
+void judge_targets(const Response& response, const std::vector<Word>& words, Findings& findings) {
+  if (response.kind == ResponseKind::Typed || findings.faulty("/response/options")) return;
+  const auto is_label = [&](const Word& word) {
+    return std::ranges::any_of(response.options, [&](const Option& option) {
+      return lower_case(option.label) == lower_case(word.spelling);
+    });
+  };
+  const auto labelled = static_cast<std::size_t>(std::ranges::count_if(words, is_label));
+  if (labelled == 0 || labelled == words.size()) return;
+  const auto other = std::ranges::find_if_not(words, is_label);
+  findings.warning("/response/options",
+                   fmt::format("{} of {} words, {} the first, are no option's label: no answer to "
+                               "them is right",
+                               words.size() - labelled,
+                               words.size(),
+                               shown(other->spelling)),
+                   "add options, or choose a list of those words");
+}
+
 }  // namespace
 
 void judge_response(const Protocol& protocol, const std::vector<Word>& words, Findings& findings) {
@@ -77,6 +98,7 @@ void judge_response(const Protocol& protocol, const std::vector<Word>& words, Fi
   judge_time_limit(protocol.response, findings);
   judge_length(protocol.response, words, findings);
   judge_labels(protocol.response, findings);
+  judge_targets(protocol.response, words, findings);
   judge_reference(protocol, findings);
 }
 

@@ -185,6 +185,7 @@ class SessionLoop {
     TrialEnd end{.stored = true, .flagged = record.flagged};
     outcome_.flagged += record.flagged ? 1 : 0;
     teller_.answered(planned, record, underflows);
+    announce_flags(record);
     const auto trouble = screen_guard_.trouble(record, booth_.display.refresh());
     if (!trouble.empty()) oversight_.ask_for_pause(trouble);
     const auto since = since_last_stroke(booth_, machine, record);
@@ -198,6 +199,16 @@ class SessionLoop {
     }
     teller_.stored(trials_planned());
     return end;
+  }
+
+  /// What made the trial other than planned, for whoever runs the session.
+  void announce_flags(const TrialRecord& record) {
+    if (!record.flagged) return;
+    std::string why;
+    for (const auto& event : record.events) {
+      why += fmt::format("{}{} ({})", why.empty() ? "" : ", ", event.kind, event.detail);
+    }
+    parts_.announce(fmt::format("trial {} is flagged: {}", record.trial + 1, why));
   }
 
   /// The blank between trials, at least until the data are on the disk. False if the session is to

@@ -223,8 +223,8 @@ class StimulusLoop {
     }
     if (playback.lost) {
       throw SoundLost{
-          "the sound device was lost during a trial, which is not stored; check it and go on by "
-          "`bimodal run ... --resume`"};
+          "the sound device was lost during a trial, which is not stored; check the "
+          "device and the sound server"};
     }
     record_.onsets.push_back(onset);
     triggers_.click_heard(onset);

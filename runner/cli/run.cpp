@@ -149,7 +149,7 @@ ExitCode run(const RunOptions& options) {
   record.keyboard_description = devices->keyboard->description();
   record.sound_levels = level.record;
   const bool drops_repetitions = goes_on(resumption, record, protocol);
-  WatchedSession watched{data, record, protocol, plan, devices->clock};
+  WatchedSession watched{data, record, protocol, plan, resumption, devices->clock};
   const auto done = resumption ? resumption->done : std::set<std::size_t>{};
   PreparationQueue queue{rest_of(plan, done), [&] {
                            return prepare_session({.read = *read,
@@ -200,7 +200,11 @@ ExitCode run(const RunOptions& options) {
   try {
     const auto outcome = run_session(parts);
     if (session) store->end(*session, outcome.complete ? "complete" : "stopped", utc_now());
-    report_outcome(outcome, plan.size(), resumption, data.string());
+    report_outcome(outcome,
+                   {.planned = plan.size(),
+                    .data = data.string(),
+                    .predicted = devices->display->time_source() == TimeSource::Predicted},
+                   resumption);
   } catch (const SoundLost& loss) {
     if (!session) throw;
     outlast_lost_sound(loss, booth, writer, *session, tell);
@@ -249,10 +253,10 @@ void add_run(CLI::App& app, Verb& chosen) {
   verb->add_flag("--no-triggers",
                  options->no_triggers,
                  "without the protocol's triggers, for trying out without the equipment");
-  verb->add_flag(
-      "--resume",
-      options->resume,
-      "goes on with the session that was stopped or cut off; nothing is presented twice");
+  verb->add_flag("--resume",
+                 options->resume,
+                 "goes on with the session that was stopped or cut off: what is stored is not "
+                 "presented again");
   verb->add_flag("--strict", options->strict, "refuses a screen that is not for timing");
   verb->add_option("--calibration",
                    options->calibration,

@@ -18,6 +18,15 @@ std::string resumed_text(const SessionRecord& record) {
                      record.audio.description);
 }
 
+/// The first of the plan that is not stored.
+int next_trial_of(const Beginning& beginning) {
+  const auto& done = beginning.resumption->done;
+  for (std::size_t i = 0; i < beginning.plan.size(); ++i) {
+    if (!done.contains(i)) return beginning.plan[i].trial;
+  }
+  return static_cast<int>(beginning.plan.size());
+}
+
 }  // namespace
 
 std::int64_t begin_in(SessionStore& store, const Beginning& beginning) {
@@ -27,7 +36,12 @@ std::int64_t begin_in(SessionStore& store, const Beginning& beginning) {
   if (beginning.resumption) {
     const auto id = beginning.resumption->session;
     store.reopen(id);
-    note(id, "resumed", resumed_text(beginning.record));
+    note(id,
+         "resumed",
+         fmt::format(
+             "from trial {} on, which may have been presented before, cut off and not stored; {}",
+             next_trial_of(beginning),
+             resumed_text(beginning.record)));
     if (beginning.drops_repetitions) {
       note(id,
            "repetitions_dropped",

@@ -31,22 +31,24 @@ void report_storing(std::vector<Duration> delays) {
 }  // namespace
 
 void report_outcome(const SessionOutcome& outcome,
-                    std::size_t planned,
-                    const std::optional<Resumption>& earlier,
-                    const std::string& data) {
+                    const SessionFrame& frame,
+                    const std::optional<Resumption>& earlier) {
   const auto before = earlier ? earlier->done.size() : 0;
   fmt::print("{}: {} of {} trials stored in {}",
              outcome.complete ? "complete" : "stopped",
              before + static_cast<std::size_t>(outcome.trials),
-             planned,
-             data);
+             frame.planned,
+             frame.data);
   if (before > 0) fmt::print(", {} of them before", before);
   if (outcome.repeated > 0) fmt::print("; {} repeated", outcome.repeated);
   const auto flagged = outcome.flagged + (earlier ? earlier->flagged : 0);
-  if (flagged == 0) {
-    fmt::print("; timing as planned in all\n");
+  if (flagged > 0) {
+    fmt::print("; {} flagged, see table event\n", flagged);
+  } else if (frame.predicted) {
+    fmt::print(
+        "; none flagged, but nobody reported when pictures were shown: onsets are predicted\n");
   } else {
-    fmt::print("; timing flagged in {}, see table event\n", flagged);
+    fmt::print("; timing as planned in all\n");
   }
   report_storing(outcome.storing);
   if (!outcome.complete) {

@@ -9,11 +9,16 @@
 
 namespace bimodal::runner {
 
-/// Prints how a session ended, of how many trials that were planned, and where its data are; with
-/// an earlier part, of the whole session.
+/// What a session was to be, and where it is.
+struct SessionFrame {
+  std::size_t planned = 0;  ///< trials
+  std::string data;         ///< the file
+  bool predicted = false;   ///< nobody reported when its pictures were shown
+};
+
+/// Prints how a session ended; with an earlier part, of the whole session.
 void report_outcome(const SessionOutcome& outcome,
-                    std::size_t planned,
-                    const std::optional<Resumption>& earlier,
-                    const std::string& data);
+                    const SessionFrame& frame,
+                    const std::optional<Resumption>& earlier);
 
 }  // namespace bimodal::runner

@@ -120,8 +120,10 @@ void outlast_lost_sound(const SoundLost& loss,
                         StoreWriter& writer,
                         std::int64_t session,
                         const std::function<void(std::string_view)>& tell) {
-  tell(fmt::format("paused: {}\nwaiting for the sound to come back; Escape or Ctrl-C stops",
-                   loss.what()));
+  tell(
+      fmt::format("paused: {}\nthe session goes on by itself when the sound is back; Escape or "
+                  "Ctrl-C stops",
+                  loss.what()));
   const EventRecord paused{.at = booth.clock.now().time_since_epoch(),
                            .kind = "paused",
                            .detail = "the sound device was lost"};

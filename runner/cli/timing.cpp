@@ -75,8 +75,8 @@ void open(Bench& bench, const TimingOptions& options) {
   bench.audio = std::make_unique<PortaudioOutput>(PortaudioOptions{.device = named(options.audio)});
   if (options.input.empty()) return;
   const auto channels = static_cast<std::size_t>(std::max(options.photodiode, options.loopback));
-  bench.input = std::make_unique<PortaudioInput>(
-      PortaudioInputOptions{.device = named(options.input), .channels = channels});
+  bench.input = std::make_unique<PortaudioInput>(PortaudioInputOptions{
+      .device = named(options.input), .channels = channels, .is_measuring = true});
   bench.instruments = std::make_unique<Instruments>(
       *bench.input,
       Instruments::Options{.photodiode = static_cast<std::size_t>(options.photodiode - 1),

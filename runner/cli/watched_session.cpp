@@ -21,7 +21,8 @@ constexpr const char* kUpToDate = R"({"kind":"up_to_date"})";
 SessionDescription describe(const std::filesystem::path& data,
                             const SessionRecord& session,
                             const protocols::Protocol& protocol,
-                            const std::vector<protocols::PlannedTrial>& plan) {
+                            const std::vector<protocols::PlannedTrial>& plan,
+                            const std::optional<Resumption>& earlier) {
   SessionDescription description{.participant = session.participant,
                                  .session_number = session.session_number,
                                  .title = session.protocol_title,
@@ -36,6 +37,10 @@ SessionDescription describe(const std::filesystem::path& data,
   }
   for (const auto& trial : plan) {
     description.blocks = std::max(description.blocks, trial.block + 1);
+  }
+  if (earlier) {
+    description.stored_before = earlier->done.size();
+    description.flagged_before = static_cast<std::size_t>(earlier->flagged);
   }
   return description;
 }
@@ -64,9 +69,10 @@ WatchedSession::WatchedSession(const std::filesystem::path& data,
                                const SessionRecord& session,
                                const protocols::Protocol& protocol,
                                const std::vector<protocols::PlannedTrial>& plan,
+                               const std::optional<Resumption>& earlier,
                                const Clock& clock)
     : clock_{clock},
-      chronicle_{describe(data, session, protocol, plan)},
+      chronicle_{describe(data, session, protocol, plan, earlier)},
       server_{open_server(data)} {
   publish(chronicle_.description_line(clock_.now()));
 }

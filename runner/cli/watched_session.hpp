@@ -7,6 +7,7 @@
 #include "protocols/design/plan.hpp"
 #include "protocols/model/protocol.hpp"
 #include "runner/booth/overseer.hpp"
+#include "runner/cli/resumption.hpp"
 #include "runner/devices/clock.hpp"
 #include "runner/devices/local/line_server.hpp"
 #include "runner/monitor/session_chronicle.hpp"
@@ -23,11 +24,12 @@ class WatchedSession final : public Overseer {
  public:
   /// Opens the socket of the data file. Where there can be none, says so on standard error: the
   /// session is then not watched, and runs all the same. `session` without what is known only when
-  /// it begins; `clock` is borrowed.
+  /// it begins; `earlier`: the part of it that was before; `clock` is borrowed.
   WatchedSession(const std::filesystem::path& data,
                  const SessionRecord& session,
                  const protocols::Protocol& protocol,
                  const std::vector<protocols::PlannedTrial>& plan,
+                 const std::optional<Resumption>& earlier,
                  const Clock& clock);
 
   /// The session as it is stored, when it begins.

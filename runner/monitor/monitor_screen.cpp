@@ -18,6 +18,12 @@ std::size_t count(const SessionPicture& picture, std::string_view kind, std::str
   return static_cast<std::size_t>(std::max<std::int64_t>(picture.number(kind, key).value_or(0), 0));
 }
 
+/// Trials of the whole session, also of the part before it was cut off.
+std::size_t stored_trials(const SessionPicture& picture) {
+  return picture.knows("tally") ? count(picture, "tally", "stored")
+                                : count(picture, "session", "stored_before");
+}
+
 /// The later of the two tells where the participant is.
 bool is_on_page(const SessionPicture& picture) {
   return picture.number("page", "at_ns").value_or(-1) >
@@ -49,7 +55,7 @@ std::string state(const SessionPicture& picture) {
 }
 
 std::string times(const SessionPicture& picture, Instant now, std::size_t width) {
-  const auto stored = count(picture, "tally", "stored");
+  const auto stored = stored_trials(picture);
   const auto of = count(picture, "session", "trials");
   std::string told;
   if (const auto at = picture.number("times", "at_ns")) {
@@ -66,8 +72,10 @@ std::string times(const SessionPicture& picture, Instant now, std::size_t width)
 }
 
 std::string flags(const SessionPicture& picture) {
-  auto told = fmt::format("stored {}   flagged {}",
-                          count(picture, "tally", "stored"),
+  const auto before = count(picture, "session", "stored_before");
+  auto told = fmt::format("stored {}{}   flagged {}",
+                          stored_trials(picture),
+                          before > 0 ? fmt::format(" ({} before)", before) : std::string{},
                           count(picture, "tally", "flagged"));
   const auto events = picture.last_events();
   if (!events.empty()) {

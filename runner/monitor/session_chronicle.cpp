@@ -109,7 +109,8 @@ StatusLine SessionChronicle::description_line(Instant at) const {
                {"display", description_.display},
                {"audio", description_.audio},
                {"verdict", optional_json(description_.verdict)},
-               {"simulated_answers", description_.simulated_answers}});
+               {"simulated_answers", description_.simulated_answers},
+               {"stored_before", description_.stored_before}});
 }
 
 std::vector<StatusLine> SessionChronicle::on(const Progress& progress) {
@@ -209,14 +210,14 @@ StatusLine SessionChronicle::tally_line(Instant at) const {
   }
   return line("tally",
               at,
-              {{"stored", tally_.stored()},
-               {"flagged", tally_.flagged()},
+              {{"stored", stored()},
+               {"flagged", flagged()},
                {"conditions", conditions},
                {"latest", latest}});
 }
 
 StatusLine SessionChronicle::times_line(Instant at) const {
-  const auto to_come = of_ - std::min(of_, tally_.stored());
+  const auto to_come = of_ - std::min(of_, stored());
   return line("times",
               at,
               {{"elapsed_ns", began_ ? (at - *began_).count() : 0},
@@ -230,9 +231,9 @@ StatusLine SessionChronicle::end_line(const SessionEnded& ended) const {
               ended.at,
               {{"outcome", ended.outcome},
                {"detail", ended.detail},
-               {"stored", tally_.stored()},
+               {"stored", stored()},
                {"of", of_},
-               {"flagged", tally_.flagged()}});
+               {"flagged", flagged()}});
 }
 
 const std::string& SessionChronicle::condition_of(const protocols::PlannedTrial& trial) const {

@@ -24,6 +24,8 @@ struct SessionDescription {
   std::string audio;
   std::optional<std::string> verdict;  ///< on timing: "good", ...; absent: not judged
   bool simulated_answers = false;
+  std::size_t stored_before = 0;   ///< trials, if the session was cut off and goes on
+  std::size_t flagged_before = 0;  ///< of these
 };
 
 /// A line for whoever watches.
@@ -51,6 +53,14 @@ class SessionChronicle {
   [[nodiscard]] Lines on_trial(const TrialReached& reached);
   [[nodiscard]] Lines on_result(const TrialResult& result);
   [[nodiscard]] Lines on_pause(const PauseChanged& pause);
+
+  /// Trials of the whole session.
+  [[nodiscard]] std::size_t stored() const { return description_.stored_before + tally_.stored(); }
+
+  [[nodiscard]] std::size_t flagged() const {
+    return description_.flagged_before + tally_.flagged();
+  }
+
   [[nodiscard]] StatusLine tally_line(Instant at) const;
   [[nodiscard]] StatusLine times_line(Instant at) const;
   [[nodiscard]] StatusLine end_line(const SessionEnded& ended) const;

@@ -55,7 +55,7 @@ TEST_F(TriggersCli, BytesOfASessionArriveAndAreStoredWithTheirInstants) {
   const PseudoTerminal terminal;
   ask_for(serial(terminal.port()));
   EXPECT_THAT(bimodal(unattended({"--participant", "P01"})),
-              ended(ExitCode::Done, HasSubstr("timing as planned in all")));
+              ended(ExitCode::Done, HasSubstr("none flagged")));
   EXPECT_EQ(terminal.arrived(6), "\x09\x02\x04\x09\x02\x04");
   const auto trials = stored();
   ASSERT_EQ(trials.size(), 2U);

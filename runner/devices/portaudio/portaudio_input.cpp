@@ -81,7 +81,8 @@ struct PortaudioInput::Stream {
 };
 
 PortaudioInput::Stream::Stream(const PortaudioInputOptions& options)
-    : device{choose_device(session.inputs(), options.device, kRecording)},
+    : device{choose_device(
+          session.inputs(), options.device, options.is_measuring ? kMeasuring : kRecording)},
       rate{options.rate},
       taken{options.channels},
       buffer{options.channels},
@@ -135,8 +136,8 @@ void PortaudioInput::Stream::open() {
   failure = start_stream(failure, stream, device);
   if (failure != paNoError) {
     throw DeviceError{fmt::format(
-        "cannot open {} of the microphone '{}' at {} samples per second: {}; choose another --rate "
-        "or --device",
+        "cannot open {} of the sound input '{}' at {} samples per second: {}; choose another rate "
+        "or device, or fewer channels",
         counted(taken, "channel"),
         describe(device),
         rate.count(),

@@ -15,7 +15,8 @@ struct PortaudioInputOptions {
   std::string device;  ///< index, or part of a name as describe_microphones() prints it; empty: the
                        ///< default device
   Hertz rate{48'000};
-  std::size_t channels = 1;  ///< the first so many of the device
+  std::size_t channels = 1;   ///< the first so many of the device
+  bool is_measuring = false;  ///< instruments are on it; else somebody speaks: for messages
 };
 
 /// One line per device with inputs: "2: system (JACK Audio Connection Kit), 2 channels, 48000

@@ -42,10 +42,10 @@ void PortaudioOutput::schedule(const Sound& sound, Instant onset) {
   auto& stream = *stream_;
   stream.collect();
   if (stream.follower.playback().lost) {
-    throw SoundLost{fmt::format(
-        "the sound output '{}' has stopped asking for samples; check it and go on by `bimodal run "
-        "... --resume`",
-        describe(stream.device))};
+    throw SoundLost{
+        fmt::format("the sound output '{}' has stopped asking for samples; check the device and "
+                    "the sound server",
+                    describe(stream.device))};
   }
   const auto number = stream.present + 1;
   const auto head = sound.silent_head;

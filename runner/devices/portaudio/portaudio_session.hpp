@@ -70,6 +70,7 @@ struct SoundUse {
 inline constexpr SoundUse kPlaying{};
 inline constexpr SoundUse kRecording{
     "microphone", "try without one by --input simulated:FILE, a recording of the words"};
+inline constexpr SoundUse kMeasuring{"sound input", "leave out --input: without instruments"};
 
 /// The device meant by an index, a whole name or a part of a name (the first that has it); empty
 /// means the default, or the first if there is none. Throws DeviceError listing the devices if none

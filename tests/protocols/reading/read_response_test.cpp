@@ -73,6 +73,17 @@ TEST_F(ReadingResponses, WarnOfLabelsThatOnlyCapitalsTellApart) {
                                 HasSubstr("\"BA\" from \"ba\""))));
 }
 
+TEST_F(ReadingResponses, WarnOfWordsThatAreNoLabelWhereOthersAre) {
+  const auto of_choice = [&](const std::string& options) {
+    return with(R"("response": {"kind": "choice", "options": [)" + options + "]}");
+  };
+  const std::string spelled = "dog";
+  EXPECT_THAT(of_choice(R"({"label": ")" + spelled + R"("}, {"label": "never"})"),
+              ElementsAre(AllOf(HasSubstr("/response/options: warning:"),
+                                HasSubstr("are no option's label: no answer to them is right"))));
+  EXPECT_THAT(of_choice(R"({"label": "sure"}, {"label": "unsure"})"), IsEmpty());
+}
+
 TEST_F(ReadingResponses, NeedOptionsForAChoice) {
   EXPECT_THAT(with(R"("response": {"kind": "choice"})"), ElementsAre(HasSubstr("options")));
   EXPECT_THAT(with(R"("response": {"pointer": true})"),

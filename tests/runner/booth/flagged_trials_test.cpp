@@ -158,6 +158,7 @@ TEST_F(FlaggedTrialsTest, RepeatsTheVerySameSoundAndSaysSo) {
   EXPECT_EQ(line_.signals.back().trial, 1);
   EXPECT_THAT(told_,
               testing::ElementsAre("trial 1 of 1: bimodal",
+                                   "trial 1 is flagged: late_frame (3 refreshes were late)",
                                    "trial 1 again, its timing was not as planned: bimodal"));
 }
 

@@ -110,6 +110,20 @@ TEST_F(SessionChronicleTest, EstimatesTheTimeLeftFromTrialsWithoutTheirPauses) {
   EXPECT_EQ(told_.at("times").at("elapsed_ns"), Duration{10min + 12s}.count());
 }
 
+TEST_F(SessionChronicleTest, CountsTheWholeSessionWhenItGoesOn) {
+  auto resumed = description();
+  resumed.stored_before = 6;
+  resumed.flagged_before = 1;
+  chronicle_ = SessionChronicle{resumed};
+  EXPECT_EQ(json::parse(chronicle_.description_line(now_).text).at("stored_before"), 6);
+  answer("stew");
+  EXPECT_EQ(told_["tally"].at("stored"), 7);
+  EXPECT_EQ(told_["tally"].at("flagged"), 1);
+  EXPECT_EQ(told_["times"].at("trials_to_come"), 3);
+  tell(SessionEnded{.at = now_, .outcome = "stopped"});
+  EXPECT_EQ(told_["ended"].at("stored"), 7);
+}
+
 TEST_F(SessionChronicleTest, TellsWhatIsNotKnownOfTheSoundAsNull) {
   tell(Health{.at = now_, .refresh_period = 16'666'667ns, .missed_refreshes = 2});
   EXPECT_TRUE(told_.at("health").at("sound_drift_ppm").is_null());
