@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "analysis/cli/matrix_source.hpp"
+#include "analysis/cli/output_form.hpp"
 #include "analysis/data/feature_file.hpp"
 #include "analysis/report/information_table.hpp"
 
@@ -32,14 +33,12 @@ ExitCode print_information(const InformationRequest& request, Console console) {
   if (!chosen) return ExitCode::Findings;
   const auto features = request.features.empty() ? FeatureTable{} : read_features(request.features);
   const auto table = tabulate_information(chosen->title, chosen->matrix, features);
-  if (request.form.json) {
-    console.out << information_json(table);
-  } else {
-    console.out << (request.form.csv ? information_csv(table) : information_text(table));
-  }
-  console.out << std::flush;
-  for (const auto& warning : chosen->warnings) console.err << "warning: " << warning << '\n';
-  return ExitCode::Done;
+  return print_as(request.form,
+                  {.text = [&] { return information_text(table); },
+                   .csv = [&] { return information_csv(table); },
+                   .json = [&] { return information_json(table); }},
+                  chosen->warnings,
+                  console);
 }
 
 }  // namespace

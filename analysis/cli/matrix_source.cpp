@@ -65,11 +65,6 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
       "--condition", choice.condition, "Which condition of sessions; needed if there are several");
 }
 
-void add_output_form(CLI::App& verb, OutputForm& form) {
-  auto* const json = verb.add_flag("--json", form.json, "Every figure, in full precision");
-  verb.add_flag("--csv", form.csv, "The same as CSV, a line for each feature")->excludes(json);
-}
-
 bool is_matrix_file(const MatrixChoice& choice) {
   const bool any = std::ranges::any_of(choice.analysis.data, is_csv);
   if (any) require_no_choice(choice);

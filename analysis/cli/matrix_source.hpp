@@ -36,15 +36,6 @@ struct ChosenMatrix {
                                                             Console console,
                                                             std::vector<std::string>& warnings);
 
-/// How figures are printed.
-struct OutputForm {
-  bool json = false;
-  bool csv = false;
-};
-
-/// Adds --json and --csv. `form` must outlive `verb`.
-void add_output_form(CLI::App& verb, OutputForm& form);
-
 /// Absent, and said why on `console.err`, if no response is left. Throws Error or StoreError.
 [[nodiscard]] std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console console);
 

@@ -6,7 +6,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/cli/matrix_source.hpp"
+#include "analysis/cli/output_form.hpp"
+#include "analysis/cli/verb.hpp"
 #include "analysis/data/counts_file.hpp"
 #include "analysis/report/csv.hpp"
 #include "analysis/statistics/interval.hpp"
@@ -115,13 +116,12 @@ ExitCode print_proportions(const ProportionsRequest& request, Console console) {
     }
     rows.push_back(std::move(row));
   }
-  if (request.form.json) {
-    console.out << as_json(rows, table, request.level);
-  } else {
-    console.out << (request.form.csv ? as_csv(rows, table) : as_text(rows, request.level));
-  }
-  console.out << std::flush;
-  return ExitCode::Done;
+  return print_as(request.form,
+                  {.text = [&] { return as_text(rows, request.level); },
+                   .csv = [&] { return as_csv(rows, table); },
+                   .json = [&] { return as_json(rows, table, request.level); }},
+                  {},
+                  console);
 }
 
 }  // namespace

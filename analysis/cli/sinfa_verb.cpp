@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "analysis/cli/matrix_source.hpp"
+#include "analysis/cli/output_form.hpp"
 #include "analysis/data/feature_file.hpp"
 #include "analysis/report/sinfa_table.hpp"
 
@@ -31,14 +32,12 @@ ExitCode print_sinfa(const SinfaRequest& request, Console console) {
   const auto chosen = load_chosen(request.choice, console);
   if (!chosen) return ExitCode::Findings;
   const auto found = analyse_sequentially(chosen->matrix, features);
-  if (request.form.json) {
-    console.out << sinfa_json(chosen->title, found);
-  } else {
-    console.out << (request.form.csv ? sinfa_csv(found) : sinfa_text(chosen->title, found));
-  }
-  console.out << std::flush;
-  for (const auto& warning : chosen->warnings) console.err << "warning: " << warning << '\n';
-  return ExitCode::Done;
+  return print_as(request.form,
+                  {.text = [&] { return sinfa_text(chosen->title, found); },
+                   .csv = [&] { return sinfa_csv(found); },
+                   .json = [&] { return sinfa_json(chosen->title, found); }},
+                  chosen->warnings,
+                  console);
 }
 
 }  // namespace

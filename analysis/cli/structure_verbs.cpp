@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "analysis/cli/matrix_source.hpp"
+#include "analysis/cli/output_form.hpp"
 #include "analysis/report/structure_table.hpp"
 
 namespace bimodal::analysis {
@@ -44,19 +45,17 @@ void add_measure(CLI::App& verb, StructureRequest& request) {
       ->transform(CLI::CheckedTransformer(measures, CLI::ignore_case).description("phi|confusion"));
 }
 
-ExitCode finish(const ChosenMatrix& chosen, const std::string& text, Console console) {
-  console.out << text << std::flush;
-  for (const auto& warning : chosen.warnings) console.err << "warning: " << warning << '\n';
-  return ExitCode::Done;
-}
-
 ExitCode print_clusters(const StructureRequest& request, Console console) {
   const auto chosen = load_chosen(request.choice, console);
   if (!chosen) return ExitCode::Findings;
   const auto table = tabulate_clusters(
       chosen->title, chosen->matrix, request.measure, request.linkage, request.criterion);
-  if (request.form.json) return finish(*chosen, cluster_json(table), console);
-  return finish(*chosen, request.form.csv ? cluster_csv(table) : cluster_text(table), console);
+  return print_as(request.form,
+                  {.text = [&] { return cluster_text(table); },
+                   .csv = [&] { return cluster_csv(table); },
+                   .json = [&] { return cluster_json(table); }},
+                  chosen->warnings,
+                  console);
 }
 
 ExitCode print_layout(const StructureRequest& request, Console console) {
@@ -67,8 +66,12 @@ ExitCode print_layout(const StructureRequest& request, Console console) {
                           .measure = request.measure,
                           .labels = unlike.labels(),
                           .layout = scale_classically(unlike, request.dimensions)};
-  if (request.form.json) return finish(*chosen, layout_json(table), console);
-  return finish(*chosen, request.form.csv ? layout_csv(table) : layout_text(table), console);
+  return print_as(request.form,
+                  {.text = [&] { return layout_text(table); },
+                   .csv = [&] { return layout_csv(table); },
+                   .json = [&] { return layout_json(table); }},
+                  chosen->warnings,
+                  console);
 }
 
 }  // namespace

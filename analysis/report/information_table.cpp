@@ -122,8 +122,9 @@ std::string information_text(const InformationTable& table) {
   text += fmt::format(
       "\nT: transmitted, as observed: of few responses too large. It is corrected in two\n"
       "ways, to be read together: by Miller & Madow for the cells that occurred (MM: takes\n"
-      "off too little), and by (r-1)(c-1)/(2n ln 2) as if every cell were possible (rc:\n"
-      "takes off too much where most are not, and a little too little where all are).\n"
+      "off too little, and of very few responses adds), and by (r-1)(c-1)/(2n ln 2) as if\n"
+      "every cell were possible (rc: takes off too much where most are not, and a little too\n"
+      "little where all are).\n"
       "Stimuli: {}, with {:.1f} responses each on average. There is no interval: of none is\n"
       "it known that it covers what it says at such counts.\n",
       table.stimuli,

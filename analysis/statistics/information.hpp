@@ -22,9 +22,10 @@ struct Information {
   std::optional<double> relative;  ///< T / H(x); absent where all stimuli are the same
   /// T, corrected by Miller & Madow's formula for each of the three entropies: T + (Kx + Ky - Kxy -
   /// 1) / (2 n ln 2), where K counts what occurred. Too large still where cells that are possible
-  /// did not occur. May be below 0.
+  /// did not occur: of very few responses it even adds, and may be above H(x). May be below 0.
   double miller_madow = 0.0;
-  /// T - (r - 1)(c - 1) / (2 n ln 2) of the r rows and c columns that occurred (Miller, 1955):
+  /// T - (r - 1)(c - 1) / (2 n ln 2) of the r rows and c columns that occurred (Miller, 1955, in
+  /// Quastler, ed., Information Theory in Psychology, 95-100):
   /// nearly right where every cell is possible, and too small by far where most are not. May be
   /// below 0.
   double all_cells_possible = 0.0;

@@ -1,9 +1,9 @@
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/cli/program.hpp"
+#include "tests/analysis/cli/program_run.hpp"
 #include "tests/analysis/examples.hpp"
 
 namespace bimodal::analysis {
@@ -16,19 +16,6 @@ using testing::IsEmpty;
 
 class MatrixVerbs : public testing::Test {
  protected:
-  struct Run {
-    ExitCode code = ExitCode::Internal;
-    std::string out;
-    std::string err;
-  };
-
-  static Run run(const std::vector<std::string>& arguments) {
-    std::ostringstream out;
-    std::ostringstream err;
-    const auto code = run_program(arguments, {.out = out, .err = err});
-    return {code, out.str(), err.str()};
-  }
-
   [[nodiscard]] std::string file(const std::string& name, const std::string& text) const {
     return files_.write(name, text).string();
   }

@@ -7,6 +7,7 @@
 
 #include "runner/store/session_store.hpp"
 #include "stimuli/base/digest.hpp"
+#include "tests/analysis/cli/program_run.hpp"
 #include "tests/analysis/examples.hpp"
 
 namespace bimodal::analysis {
@@ -19,19 +20,6 @@ using testing::StartsWith;
 
 class Program : public testing::Test {
  protected:
-  struct Run {
-    ExitCode code = ExitCode::Internal;
-    std::string out;
-    std::string err;
-  };
-
-  static Run run(const std::vector<std::string>& arguments) {
-    std::ostringstream out;
-    std::ostringstream err;
-    const auto code = run_program(arguments, {.out = out, .err = err});
-    return {code, out.str(), err.str()};
-  }
-
   /// A data file with one session, as `bimodal run` would leave it.
   [[nodiscard]] std::string store(const std::string& file,
                                   const std::string& participant,

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stimuli/base/error.hpp"
+#include "tests/support/fault_of.hpp"
 
 namespace bimodal::analysis {
 namespace {
@@ -11,13 +11,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string fault_of(std::string_view text) {
-  try {
-    static_cast<void>(parse_features(text, "f.csv"));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+std::string fault_in(std::string_view text) {
+  return fault_of([&] { return parse_features(text, "f.csv"); });
 }
 
 TEST(FeatureFile, GivesEachLabelItsValueAndNoneToOthers) {
@@ -28,13 +23,13 @@ TEST(FeatureFile, GivesEachLabelItsValueAndNoneToOthers) {
 }
 
 TEST(FeatureFile, RefusesWhatIsNoTableAndSaysWhere) {
-  EXPECT_THAT(fault_of(""), HasSubstr("there are no features in the first line"));
-  EXPECT_THAT(fault_of("label,a\n"), HasSubstr("there are no labels"));
-  EXPECT_THAT(fault_of("label,a,\np,1,2\n"), HasSubstr("f.csv:1: a feature has no name"));
-  EXPECT_THAT(fault_of("label,a,a\np,1,2\n"), HasSubstr("f.csv:1: the feature \"a\" occurs twice"));
-  EXPECT_THAT(fault_of("label,a\np,1,2\n"), HasSubstr("f.csv:2: 3 fields"));
-  EXPECT_THAT(fault_of("label,a\np,1\np,1\n"), HasSubstr("f.csv:3: the label \"p\" occurs twice"));
-  EXPECT_THAT(fault_of("label,a\n,1\n"), HasSubstr("f.csv:2: a line has no label"));
+  EXPECT_THAT(fault_in(""), HasSubstr("there are no features in the first line"));
+  EXPECT_THAT(fault_in("label,a\n"), HasSubstr("there are no labels"));
+  EXPECT_THAT(fault_in("label,a,\np,1,2\n"), HasSubstr("f.csv:1: a feature has no name"));
+  EXPECT_THAT(fault_in("label,a,a\np,1,2\n"), HasSubstr("f.csv:1: the feature \"a\" occurs twice"));
+  EXPECT_THAT(fault_in("label,a\np,1,2\n"), HasSubstr("f.csv:2: 3 fields"));
+  EXPECT_THAT(fault_in("label,a\np,1\np,1\n"), HasSubstr("f.csv:3: the label \"p\" occurs twice"));
+  EXPECT_THAT(fault_in("label,a\n,1\n"), HasSubstr("f.csv:2: a line has no label"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/random.hpp"
+#include "tests/support/fault_of.hpp"
 
 namespace bimodal::analysis {
 namespace {
@@ -13,13 +14,8 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string fault_of(std::string_view text) {
-  try {
-    static_cast<void>(parse_matrix(text, "m.csv"));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+std::string fault_in(std::string_view text) {
+  return fault_of([&] { return parse_matrix(text, "m.csv"); });
 }
 
 TEST(MatrixFile, KeepsEveryLabelAndRectangularCounts) {
@@ -38,16 +34,16 @@ TEST(MatrixFile, KeepsRowsAndColumnsWithoutResponses) {
 }
 
 TEST(MatrixFile, RefusesWhatIsNoMatrixAndSaysWhere) {
-  EXPECT_THAT(fault_of(""), HasSubstr("the file is empty; begin with"));
-  EXPECT_THAT(fault_of("stimulus\n"), HasSubstr("m.csv:1: there are no responses"));
-  EXPECT_THAT(fault_of("s,p\n"), HasSubstr("there are no stimuli"));
-  EXPECT_THAT(fault_of("s,p,p\np,1,2\n"), HasSubstr("m.csv:1: the response \"p\" occurs twice"));
-  EXPECT_THAT(fault_of("s,p\np,1\np,1\n"), HasSubstr("m.csv:3: the stimulus \"p\" occurs twice"));
-  EXPECT_THAT(fault_of("s,\np,1\n"), HasSubstr("m.csv:1: a response has no label"));
-  EXPECT_THAT(fault_of("s,p,b\np,1\n"), HasSubstr("m.csv:2: 2 fields, but the first line has 3"));
-  EXPECT_THAT(fault_of("s,p\n\xff,1\n"), HasSubstr("not UTF-8"));
+  EXPECT_THAT(fault_in(""), HasSubstr("the file is empty; begin with"));
+  EXPECT_THAT(fault_in("stimulus\n"), HasSubstr("m.csv:1: there are no responses"));
+  EXPECT_THAT(fault_in("s,p\n"), HasSubstr("there are no stimuli"));
+  EXPECT_THAT(fault_in("s,p,p\np,1,2\n"), HasSubstr("m.csv:1: the response \"p\" occurs twice"));
+  EXPECT_THAT(fault_in("s,p\np,1\np,1\n"), HasSubstr("m.csv:3: the stimulus \"p\" occurs twice"));
+  EXPECT_THAT(fault_in("s,\np,1\n"), HasSubstr("m.csv:1: a response has no label"));
+  EXPECT_THAT(fault_in("s,p,b\np,1\n"), HasSubstr("m.csv:2: 2 fields, but the first line has 3"));
+  EXPECT_THAT(fault_in("s,p\n\xff,1\n"), HasSubstr("not UTF-8"));
   for (const auto* const wrong : {"", "0.5", "-1", "x", "1e3", "10000000000", "3 4"}) {
-    EXPECT_THAT(fault_of("s,p,b\np,1," + std::string{wrong} + "\n"),
+    EXPECT_THAT(fault_in("s,p,b\np,1," + std::string{wrong} + "\n"),
                 AllOf(HasSubstr("m.csv:2: \"" + std::string{wrong} + "\", the response \"b\""),
                       HasSubstr("is no count")));
   }

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "stimuli/base/csv.hpp"
-#include "stimuli/base/error.hpp"
 #include "stimuli/base/random.hpp"
+#include "tests/support/fault_of.hpp"
 
 namespace bimodal {
 namespace {
@@ -24,13 +24,8 @@ Table table_in(std::string_view text) {
   return table;
 }
 
-std::string fault_of(std::string_view text) {
-  try {
-    static_cast<void>(table_in(text));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+std::string fault_in(std::string_view text) {
+  return fault_of([&] { return table_in(text); });
 }
 
 TEST(CsvReader, TakesFieldsAsTheyAreWritten) {
@@ -56,11 +51,11 @@ TEST(CsvReader, TellsTheLineOfARecordAfterQuotedLineBreaks) {
 }
 
 TEST(CsvReader, NamesTheLineOfAMistake) {
-  EXPECT_THAT(fault_of("a\nb\"c\n"), HasSubstr("f.csv:2: a quotation mark within"));
-  EXPECT_THAT(fault_of("a\nb\rc\n"), HasSubstr("f.csv:2: a lone carriage return"));
-  EXPECT_THAT(fault_of("\"a\n\"b\n"), HasSubstr("f.csv:2: \"a\n\" goes on behind"));
-  EXPECT_THAT(fault_of("a\n\n\"b\n\n"), HasSubstr("f.csv:3: the quoted field that begins here"));
-  EXPECT_THAT(fault_of(std::string(1'000, ',')), HasSubstr("f.csv:1: more than 1000 fields"));
+  EXPECT_THAT(fault_in("a\nb\"c\n"), HasSubstr("f.csv:2: a quotation mark within"));
+  EXPECT_THAT(fault_in("a\nb\rc\n"), HasSubstr("f.csv:2: a lone carriage return"));
+  EXPECT_THAT(fault_in("\"a\n\"b\n"), HasSubstr("f.csv:2: \"a\n\" goes on behind"));
+  EXPECT_THAT(fault_in("a\n\n\"b\n\n"), HasSubstr("f.csv:3: the quoted field that begins here"));
+  EXPECT_THAT(fault_in(std::string(1'000, ',')), HasSubstr("f.csv:1: more than 1000 fields"));
 }
 
 TEST(CsvReader, ReadsBackWhateverWasWritten) {
@@ -86,7 +81,7 @@ TEST(CsvReader, EndsOnWhateverBytes) {
     std::string text;
     for (auto left = random.below(12); left > 0; --left)
       text += "a,\"\r\n\xef\xbb\xbf"[random.below(8)];
-    static_cast<void>(fault_of(text));
+    static_cast<void>(fault_in(text));
   }
 }
 
