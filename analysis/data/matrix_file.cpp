@@ -53,7 +53,7 @@ ConfusionMatrix parse_matrix(std::string_view text, std::string_view file) {
   Axis responses{csv, "response"};
   for (std::size_t i = 1; i < header->size(); ++i) responses.add(header->at(i));
   Axis stimuli{csv, "stimulus"};
-  std::vector<std::int64_t> counts;
+  std::vector<double> counts;
   while (auto fields = csv.next()) {
     if (fields->size() != header->size()) {
       csv.refuse(
@@ -70,7 +70,7 @@ ConfusionMatrix parse_matrix(std::string_view text, std::string_view file) {
                                stimuli.labels.back()),
                    "write how often it was given: a whole number from 0 on (no proportions)");
       }
-      counts.push_back(*count);
+      counts.push_back(static_cast<double>(*count));
     }
   }
   if (stimuli.labels.empty()) csv.refuse("there are no stimuli after the first line", kForm);

@@ -40,8 +40,8 @@ struct ConditionLikeness {
   Unit unit = Unit::ConsonantInitial;
   std::string one;
   std::string other;
-  std::int64_t trials_of_one = 0;
-  std::int64_t trials_of_other = 0;
+  double trials_of_one = 0;
+  double trials_of_other = 0;
   Likeness likeness;
 };
 

@@ -23,7 +23,7 @@ constexpr double kLeft = 50.0;
 constexpr double kTop = 42.0;
 constexpr double kRight = 50.0;
 constexpr double kPrintedFrom = 0.005;
-constexpr std::int64_t kFewPresentations = 10;
+constexpr double kFewPresentations = 10;
 
 struct Colour {
   double red;

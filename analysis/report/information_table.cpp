@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/csv.hpp"
+#include "analysis/report/json_count.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::analysis {
@@ -31,7 +32,7 @@ FeatureInformation information_of(const ConfusionMatrix& matrix,
 std::string text_row(std::string_view name,
                      std::size_t width,
                      const Information& found,
-                     std::int64_t left_out) {
+                     double left_out) {
   return fmt::format("  {:<{}}{:>8}{:>9.3f}{:>9.3f}{:>9.3f}{:>8}{:>9.3f}{:>9.3f}{}\n",
                      name,
                      width,
@@ -46,7 +47,7 @@ std::string text_row(std::string_view name,
 }
 
 Json as_json(const Information& found) {
-  return {{"n", found.responses},
+  return {{"n", json_count(found.responses)},
           {"stimulus_entropy_bits", found.stimulus_entropy},
           {"response_entropy_bits", found.response_entropy},
           {"joint_entropy_bits", found.joint_entropy},
@@ -59,7 +60,7 @@ Json as_json(const Information& found) {
 void append_line(std::string& table,
                  std::string_view name,
                  const std::optional<Information>& found,
-                 std::int64_t left_out) {
+                 double left_out) {
   std::vector<CsvField> line{name, left_out};
   if (found) {
     line.insert(line.end(),
@@ -72,7 +73,7 @@ void append_line(std::string& table,
                  found->miller_madow,
                  found->all_cells_possible});
   } else {
-    line.insert(line.end(), {std::int64_t{0}, {}, {}, {}, {}, {}, {}, {}});
+    line.insert(line.end(), {0.0, {}, {}, {}, {}, {}, {}, {}});
   }
   append_csv(table, line);
 }
@@ -128,7 +129,7 @@ std::string information_text(const InformationTable& table) {
       "Stimuli: {}, with {:.1f} responses each on average. There is no interval: of none is\n"
       "it known that it covers what it says at such counts.\n",
       table.stimuli,
-      static_cast<double>(table.whole.responses) / static_cast<double>(table.stimuli));
+      table.whole.responses / static_cast<double>(table.stimuli));
   return text;
 }
 
@@ -157,7 +158,7 @@ std::string information_json(const InformationTable& table) {
   json.update(as_json(table.whole));
   json["features"] = Json::array();
   for (const auto& feature : table.features) {
-    Json row{{"feature", feature.feature}, {"left_out", feature.left_out}};
+    Json row{{"feature", feature.feature}, {"left_out", json_count(feature.left_out)}};
     if (feature.information) {
       row.update(as_json(*feature.information));
     } else {

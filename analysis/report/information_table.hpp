@@ -13,7 +13,7 @@ namespace bimodal::analysis {
 /// How much of one feature came through.
 struct FeatureInformation {
   std::string feature;
-  std::int64_t left_out = 0;  ///< responses whose label has no value of it ("blank", say)
+  double left_out = 0.0;  ///< responses whose label has no value of it ("blank", say)
   std::optional<Information> information;  ///< absent if all are left out
 };
 

@@ -61,13 +61,11 @@ std::string matrix_text(const UnitConfusions& confusions) {
     text += fmt::format("{:>8}\n", matrix.row_total(i));
   }
   const auto total = matrix.total();
-  text +=
-      total == 0
-          ? std::string{"\nNo responses.\n"}
-          : fmt::format("\nCorrect: {} of {} ({:.1f} %).\n",
-                        matrix.correct(),
-                        total,
-                        100.0 * static_cast<double>(matrix.correct()) / static_cast<double>(total));
+  text += total == 0 ? std::string{"\nNo responses.\n"}
+                     : fmt::format("\nCorrect: {} of {} ({:.1f} %).\n",
+                                   matrix.correct(),
+                                   total,
+                                   100.0 * matrix.correct() / total);
   text += fmt::format("Not in the table: ambiguous alignments {}, words without this unit {}.\n",
                       confusions.ambiguous,
                       confusions.lacking);

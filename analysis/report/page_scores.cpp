@@ -193,8 +193,7 @@ std::string part_of_confusions(const Results& results) {
         escaped(table.condition),
         total == 0 ? std::string{"No responses."}
                    : fmt::format("{:.1f}&#160;% correct ({} of {}, all columns counted).",
-                                 100.0 * static_cast<double>(table.matrix.correct()) /
-                                     static_cast<double>(total),
+                                 100.0 * table.matrix.correct() / total,
                                  table.matrix.correct(),
                                  total),
         table.ambiguous,

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/csv.hpp"
+#include "analysis/report/json_count.hpp"
 
 namespace bimodal::analysis {
 
@@ -96,8 +97,8 @@ std::string sinfa_csv(const Sinfa& sinfa) {
 
 std::string sinfa_json(const std::string& title, const Sinfa& sinfa) {
   Json json{{"title", title},
-            {"n", sinfa.responses},
-            {"left_out", sinfa.left_out},
+            {"n", json_count(sinfa.responses)},
+            {"left_out", json_count(sinfa.left_out)},
             {"rounds", Json::array()},
             {"determined", sinfa.determined}};
   for (const auto& round : sinfa.rounds) {
@@ -109,8 +110,9 @@ std::string sinfa_json(const std::string& title, const Sinfa& sinfa) {
            {"entropy_bits", candidate.entropy},
            {"transmitted_relative", candidate.relative ? Json(*candidate.relative) : Json()}});
     }
-    json["rounds"].push_back(
-        {{"n", round.responses}, {"chosen", round.chosen}, {"candidates", std::move(candidates)}});
+    json["rounds"].push_back({{"n", json_count(round.responses)},
+                              {"chosen", round.chosen},
+                              {"candidates", std::move(candidates)}});
   }
   return json.dump(2) + "\n";
 }

@@ -181,8 +181,8 @@ ReportFile confusions_table(const Results& results) {
                    name(unit),
                    text(matrix.stimuli()[i]),
                    text(matrix.responses()[j]),
-                   count(matrix.count(i, j)),
-                   count(matrix.row_total(i)),
+                   matrix.count(i, j),
+                   matrix.row_total(i),
                    number(matrix.proportion(i, j))});
       }
     }
@@ -196,8 +196,8 @@ ReportFile likeness_table(const Results& results) {
     table.add({name(row.unit),
                text(row.one),
                text(row.other),
-               count(row.trials_of_one),
-               count(row.trials_of_other),
+               row.trials_of_one,
+               row.trials_of_other,
                count(row.likeness.cells),
                count(row.likeness.cells_used),
                number(row.likeness.correlation),

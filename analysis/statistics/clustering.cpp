@@ -126,8 +126,8 @@ double kept_within(const ConfusionMatrix& matrix, const std::vector<std::string>
   const auto is_member = [&](const std::string& label) {
     return std::ranges::find(members, label) != members.end();
   };
-  std::int64_t kept = 0;
-  std::int64_t all = 0;
+  double kept = 0.0;
+  double all = 0.0;
   for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
     if (!is_member(matrix.stimuli()[i])) continue;
     all += matrix.row_total(i);
@@ -135,7 +135,7 @@ double kept_within(const ConfusionMatrix& matrix, const std::vector<std::string>
       if (is_member(matrix.responses()[j])) kept += matrix.count(i, j);
     }
   }
-  return all == 0 ? 0.0 : static_cast<double>(kept) / static_cast<double>(all);
+  return all <= 0.0 ? 0.0 : kept / all;
 }
 
 std::size_t merges_until_kept(const ConfusionMatrix& matrix,

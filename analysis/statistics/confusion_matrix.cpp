@@ -57,10 +57,10 @@ std::vector<std::size_t> compared_columns(const ConfusionMatrix& one,
   return columns;
 }
 
-std::int64_t sum_over(const ConfusionMatrix& matrix,
-                      std::size_t stimulus,
-                      const std::vector<std::size_t>& columns) {
-  std::int64_t sum = 0;
+double sum_over(const ConfusionMatrix& matrix,
+                std::size_t stimulus,
+                const std::vector<std::size_t>& columns) {
+  double sum = 0.0;
   for (const std::size_t j : columns) sum += matrix.count(stimulus, j);
   return sum;
 }
@@ -71,36 +71,37 @@ ConfusionMatrix::ConfusionMatrix(std::vector<std::string> stimuli,
                                  std::vector<std::string> responses)
     : stimuli_{std::move(stimuli)},
       responses_{std::move(responses)},
-      counts_(stimuli_.size() * responses_.size(), 0) {}
+      counts_(stimuli_.size() * responses_.size(), 0.0) {}
 
 ConfusionMatrix::ConfusionMatrix(std::vector<std::string> stimuli,
                                  std::vector<std::string> responses,
-                                 std::vector<std::int64_t> counts)
+                                 std::vector<double> counts)
     : stimuli_{std::move(stimuli)}, responses_{std::move(responses)}, counts_{std::move(counts)} {
   assert(counts_.size() == stimuli_.size() * responses_.size());
 }
 
-void ConfusionMatrix::add(std::string_view stimulus, std::string_view response) {
-  ++counts_[index_of(stimuli_, stimulus) * responses_.size() + index_of(responses_, response)];
+void ConfusionMatrix::add(std::string_view stimulus, std::string_view response, double weight) {
+  counts_[index_of(stimuli_, stimulus) * responses_.size() + index_of(responses_, response)] +=
+      weight;
 }
 
-std::int64_t ConfusionMatrix::count(std::size_t stimulus, std::size_t response) const {
+double ConfusionMatrix::count(std::size_t stimulus, std::size_t response) const {
   assert(stimulus < stimuli_.size() && response < responses_.size());
   return counts_[stimulus * responses_.size() + response];
 }
 
-std::int64_t ConfusionMatrix::row_total(std::size_t stimulus) const {
-  std::int64_t sum = 0;
+double ConfusionMatrix::row_total(std::size_t stimulus) const {
+  double sum = 0.0;
   for (std::size_t i = 0; i < responses_.size(); ++i) sum += count(stimulus, i);
   return sum;
 }
 
-std::int64_t ConfusionMatrix::total() const {
-  return std::accumulate(counts_.begin(), counts_.end(), std::int64_t{0});
+double ConfusionMatrix::total() const {
+  return std::accumulate(counts_.begin(), counts_.end(), 0.0);
 }
 
-std::int64_t ConfusionMatrix::correct() const {
-  std::int64_t sum = 0;
+double ConfusionMatrix::correct() const {
+  double sum = 0.0;
   for (std::size_t i = 0; i < stimuli_.size(); ++i) {
     for (std::size_t j = 0; j < responses_.size(); ++j) {
       if (stimuli_[i] == responses_[j]) sum += count(i, j);
@@ -113,7 +114,7 @@ std::optional<double> ConfusionMatrix::proportion(std::size_t stimulus,
                                                   std::size_t response) const {
   const auto all = row_total(stimulus);
   if (all == 0) return std::nullopt;
-  return static_cast<double>(count(stimulus, response)) / static_cast<double>(all);
+  return count(stimulus, response) / all;
 }
 
 Likeness compare_errors(const ConfusionMatrix& one,
@@ -131,8 +132,8 @@ Likeness compare_errors(const ConfusionMatrix& one,
     if (row_one == 0 || row_other == 0) continue;
     for (const std::size_t j : columns) {
       if (one.responses()[j] == one.stimuli()[i]) continue;
-      const double x = static_cast<double>(one.count(i, j)) / static_cast<double>(row_one);
-      const double y = static_cast<double>(other.count(i, j)) / static_cast<double>(row_other);
+      const double x = one.count(i, j) / row_one;
+      const double y = other.count(i, j) / row_other;
       ones.push_back(x);
       others.push_back(y);
       squares += (x - y) * (x - y);

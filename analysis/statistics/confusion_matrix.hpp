@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +10,7 @@ namespace bimodal::analysis {
 
 /// How often each stimulus got each response. Rectangular: responses may have labels that no
 /// stimulus has ("blank", "other"). Labels are text and never interpreted: "NA" is a syllable.
+/// Counts are whole unless a response was shared out between cells ("averaged" alignments).
 class ConfusionMatrix {
  public:
   ConfusionMatrix() = default;
@@ -20,21 +21,21 @@ class ConfusionMatrix {
   /// `counts` row by row, all >= 0.
   ConfusionMatrix(std::vector<std::string> stimuli,
                   std::vector<std::string> responses,
-                  std::vector<std::int64_t> counts);
+                  std::vector<double> counts);
 
   [[nodiscard]] const std::vector<std::string>& stimuli() const { return stimuli_; }
 
   [[nodiscard]] const std::vector<std::string>& responses() const { return responses_; }
 
-  /// One more response; both labels exist.
-  void add(std::string_view stimulus, std::string_view response);
+  /// One more response, or a part of one; both labels exist.
+  void add(std::string_view stimulus, std::string_view response, double weight = 1.0);
 
-  [[nodiscard]] std::int64_t count(std::size_t stimulus, std::size_t response) const;
-  [[nodiscard]] std::int64_t row_total(std::size_t stimulus) const;
-  [[nodiscard]] std::int64_t total() const;
+  [[nodiscard]] double count(std::size_t stimulus, std::size_t response) const;
+  [[nodiscard]] double row_total(std::size_t stimulus) const;
+  [[nodiscard]] double total() const;
 
   /// Responses whose label is that of their stimulus.
-  [[nodiscard]] std::int64_t correct() const;
+  [[nodiscard]] double correct() const;
 
   /// Share of the row; absent where the stimulus never occurred.
   [[nodiscard]] std::optional<double> proportion(std::size_t stimulus, std::size_t response) const;
@@ -42,7 +43,7 @@ class ConfusionMatrix {
  private:
   std::vector<std::string> stimuli_;
   std::vector<std::string> responses_;
-  std::vector<std::int64_t> counts_;  ///< row by row
+  std::vector<double> counts_;  ///< row by row
 };
 
 /// How alike the errors of two matrices of the same labels are, over the off-diagonal cells of rows

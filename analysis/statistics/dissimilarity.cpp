@@ -11,13 +11,13 @@ namespace bimodal::analysis {
 namespace {
 
 double phi(const ConfusionMatrix& matrix, std::size_t one, std::size_t other) {
-  const auto row_one = static_cast<double>(matrix.row_total(one));
-  const auto row_other = static_cast<double>(matrix.row_total(other));
+  const auto row_one = matrix.row_total(one);
+  const auto row_other = matrix.row_total(other);
   const double total = row_one + row_other;
   double chi_square = 0.0;
   for (std::size_t j = 0; j < matrix.responses().size(); ++j) {
-    const auto a = static_cast<double>(matrix.count(one, j));
-    const auto b = static_cast<double>(matrix.count(other, j));
+    const auto a = matrix.count(one, j);
+    const auto b = matrix.count(other, j);
     if (a + b == 0.0) continue;
     const double expected_a = row_one * (a + b) / total;
     const double expected_b = row_other * (a + b) / total;

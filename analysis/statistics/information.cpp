@@ -17,17 +17,15 @@ struct Entropy {
 };
 
 /// H = log2 n - (sum of k log2 k) / n, in which no proportion is rounded.
-Entropy entropy(const std::vector<std::int64_t>& counts, std::int64_t total) {
+Entropy entropy(const std::vector<double>& counts, double total) {
   Entropy entropy;
   double sum = 0.0;
-  for (const auto count : counts) {
-    if (count == 0) continue;
-    const auto k = static_cast<double>(count);
+  for (const double k : counts) {
+    if (k <= 0.0) continue;
     sum += k * std::log2(k);
     ++entropy.occurring;
   }
-  const auto n = static_cast<double>(total);
-  entropy.bits = std::max(0.0, std::log2(n) - sum / n);
+  entropy.bits = std::max(0.0, std::log2(total) - sum / total);
   return entropy;
 }
 
@@ -47,9 +45,9 @@ std::size_t place_of(const std::vector<std::string>& names, const std::string& n
 }  // namespace
 
 std::optional<Information> information(const ConfusionMatrix& matrix) {
-  std::vector<std::int64_t> rows(matrix.stimuli().size());
-  std::vector<std::int64_t> columns(matrix.responses().size());
-  std::vector<std::int64_t> cells;
+  std::vector<double> rows(matrix.stimuli().size());
+  std::vector<double> columns(matrix.responses().size());
+  std::vector<double> cells;
   cells.reserve(rows.size() * columns.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t j = 0; j < columns.size(); ++j) {
@@ -60,7 +58,7 @@ std::optional<Information> information(const ConfusionMatrix& matrix) {
     }
   }
   const auto total = matrix.total();
-  if (total == 0) return std::nullopt;
+  if (total <= 0.0) return std::nullopt;
   const auto x = entropy(rows, total);
   const auto y = entropy(columns, total);
   const auto xy = entropy(cells, total);
@@ -70,7 +68,7 @@ std::optional<Information> information(const ConfusionMatrix& matrix) {
                     .joint_entropy = xy.bits,
                     .transmitted = std::max(0.0, x.bits + y.bits - xy.bits)};
   if (x.occurring > 1) found.relative = found.transmitted / x.bits;
-  const double unit = 1.0 / (2.0 * static_cast<double>(total) * std::numbers::ln2);
+  const double unit = 1.0 / (2.0 * total * std::numbers::ln2);
   const auto times = [unit](std::int64_t count) { return static_cast<double>(count) * unit; };
   found.miller_madow = found.transmitted + times(x.occurring + y.occurring - xy.occurring - 1);
   found.all_cells_possible = found.transmitted - times((x.occurring - 1) * (y.occurring - 1));
@@ -84,7 +82,7 @@ ConfusionMatrix grouped(const ConfusionMatrix& matrix,
   assert(response_groups.size() == matrix.responses().size());
   auto stimuli = distinct(stimulus_groups);
   auto responses = distinct(response_groups);
-  std::vector<std::int64_t> counts(stimuli.size() * responses.size());
+  std::vector<double> counts(stimuli.size() * responses.size());
   for (std::size_t i = 0; i < stimulus_groups.size(); ++i) {
     if (stimulus_groups[i].empty()) continue;
     const auto row = place_of(stimuli, stimulus_groups[i]) * responses.size();

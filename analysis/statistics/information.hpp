@@ -12,7 +12,7 @@ namespace bimodal::analysis {
 /// proportions as they were observed (maximum likelihood; Miller & Nicely, 1955, J. Acoust. Soc.
 /// Am. 27, 338-352).
 struct Information {
-  std::int64_t responses = 0;     ///< n
+  double responses = 0.0;         ///< n
   double stimulus_entropy = 0.0;  ///< H(x), of the stimuli as they were presented
   double response_entropy = 0.0;  ///< H(y)
   double joint_entropy = 0.0;     ///< H(x, y)

@@ -17,17 +17,14 @@ constexpr double kTie = 1e-9;
 struct Cell {
   std::size_t stimulus;
   std::size_t response;
-  std::int64_t count;
+  double count;
 };
 
 /// Sum of k log2 k: what entropies of counts are made of.
 template <typename Key>
-double sum_of_logs(const std::map<Key, std::int64_t>& counts) {
+double sum_of_logs(const std::map<Key, double>& counts) {
   double sum = 0.0;
-  for (const auto& [key, count] : counts) {
-    const auto k = static_cast<double>(count);
-    sum += k * std::log2(k);
-  }
+  for (const auto& [key, k] : counts) sum += k * std::log2(k);
   return sum;
 }
 
@@ -64,8 +61,8 @@ class Analysis {
   }
 
  private:
-  [[nodiscard]] std::int64_t responses() const {
-    std::int64_t sum = 0;
+  [[nodiscard]] double responses() const {
+    double sum = 0.0;
     for (const auto& cell : cells_) sum += cell.count;
     return sum;
   }
@@ -102,10 +99,10 @@ class Analysis {
   /// Within each combination of held values (which stimulus and response share).
   [[nodiscard]] HeldInformation information_of(const Feature& feature) const {
     using Key = std::vector<std::string>;
-    std::map<Key, std::int64_t> blocks;
-    std::map<Key, std::int64_t> stimuli;
-    std::map<Key, std::int64_t> responses;
-    std::map<Key, std::int64_t> pairs;
+    std::map<Key, double> blocks;
+    std::map<Key, double> stimuli;
+    std::map<Key, double> responses;
+    std::map<Key, double> pairs;
     for (const auto& cell : cells_) {
       Key key;
       for (const auto held : held_) key.push_back(features_[held].of_stimuli[cell.stimulus]);
@@ -117,7 +114,7 @@ class Analysis {
       key.erase(key.end() - 2);
       responses[key] += cell.count;
     }
-    const auto n = static_cast<double>(result_.responses);
+    const double n = result_.responses;
     const double of_blocks = sum_of_logs(blocks);
     const double of_stimuli = sum_of_logs(stimuli);
     HeldInformation found{

@@ -26,7 +26,7 @@ struct HeldInformation {
 };
 
 struct SinfaRound {
-  std::int64_t responses = 0;  ///< that agree with their stimulus in everything that is held
+  double responses = 0.0;  ///< that agree with their stimulus in everything that is held
   std::vector<HeldInformation> candidates;  ///< every feature not held yet, in the order given
   /// Those with the largest T / H, which are held from now on. More than one: they tie, and are
   /// held together.
@@ -34,8 +34,8 @@ struct SinfaRound {
 };
 
 struct Sinfa {
-  std::int64_t responses = 0;  ///< analysed
-  std::int64_t left_out = 0;   ///< for stimuli or responses to which some feature does not apply
+  double responses = 0.0;  ///< analysed
+  double left_out = 0.0;   ///< for stimuli or responses to which some feature does not apply
   std::vector<SinfaRound> rounds;
   std::vector<std::string> determined;  ///< by those held before: nothing of them is left
 };

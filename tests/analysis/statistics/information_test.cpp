@@ -60,9 +60,9 @@ ConfusionMatrix random_matrix(Random& random) {
   std::vector<std::string> responses;
   for (std::size_t i = 0; i < rows; ++i) stimuli.push_back("s" + std::to_string(i));
   for (std::size_t j = 0; j < columns; ++j) responses.push_back("r" + std::to_string(j));
-  std::vector<std::int64_t> counts(rows * columns);
-  for (auto& count : counts) count = static_cast<std::int64_t>(random.below(9)) - 4;
-  for (auto& count : counts) count = std::max<std::int64_t>(count, 0);
+  std::vector<double> counts(rows * columns);
+  for (auto& count : counts) count = static_cast<double>(random.below(9)) - 4.0;
+  for (auto& count : counts) count = std::max(count, 0.0);
   return {stimuli, responses, counts};
 }
 
