@@ -14,8 +14,9 @@ namespace bimodal {
 /// interpreted: "NA" is a syllable. Throws Error, naming file and line.
 class CsvReader {
  public:
-  /// Both outlive the reader.
-  CsvReader(std::string_view text, std::string_view file);
+  /// Both texts outlive the reader. Fields end at the delimiter; in many countries tables have
+  /// semicolons.
+  CsvReader(std::string_view text, std::string_view file, char delimiter = ',');
 
   /// The fields of the next line that is not empty; absent after the last one.
   [[nodiscard]] std::optional<std::vector<std::string>> next();
@@ -34,6 +35,7 @@ class CsvReader {
 
   std::string_view text_;
   std::string_view file_;
+  char delimiter_;
   std::size_t at_ = 0;
   std::size_t reached_line_ = 1;
   std::size_t line_ = 1;
