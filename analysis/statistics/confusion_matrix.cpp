@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "analysis/statistics/correlation.hpp"
+
 namespace bimodal::analysis {
 
 namespace {
@@ -14,27 +16,6 @@ std::size_t index_of(const std::vector<std::string>& labels, std::string_view la
   const auto found = std::ranges::find(labels, label);
   assert(found != labels.end());
   return static_cast<std::size_t>(found - labels.begin());
-}
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// Absent if either has no spread.
-std::optional<double> pearson(const std::vector<double>& xs, const std::vector<double>& ys) {
-  if (xs.size() < 2) return std::nullopt;
-  const double mean_x = mean(xs);
-  const double mean_y = mean(ys);
-  double xx = 0.0;
-  double yy = 0.0;
-  double xy = 0.0;
-  for (std::size_t i = 0; i < xs.size(); ++i) {
-    xx += (xs[i] - mean_x) * (xs[i] - mean_x);
-    yy += (ys[i] - mean_y) * (ys[i] - mean_y);
-    xy += (xs[i] - mean_x) * (ys[i] - mean_y);
-  }
-  if (xx <= 0.0 || yy <= 0.0) return std::nullopt;
-  return xy / std::sqrt(xx * yy);
 }
 
 /// Responses that are not ignored and were given in one of the two, or are a stimulus of both; so
