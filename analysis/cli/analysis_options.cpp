@@ -14,6 +14,7 @@
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/lower_case.hpp"
+#include "stimuli/base/whole_number.hpp"
 
 namespace bimodal::analysis {
 
@@ -175,6 +176,13 @@ Results analyse_request(const AnalysisRequest& request, Console console) {
                  {.bootstrap = request.bootstrap,
                   .criteria = request.criteria,
                   .progress = [&](std::string_view step) { progress.show(step); }});
+}
+
+void add_seed_option(CLI::App& verb, Seed& seed) {
+  verb.add_option("--seed", seed, "Of what is drawn at random: the same seed, the same figures")
+      ->check(
+          CLI::Validator{[](std::string& text) { return whole_number_fault(text, Seed{0}); }, ""})
+      ->capture_default_str();
 }
 
 std::string nothing_left(const Dataset& dataset) {

@@ -77,8 +77,7 @@ bool is_matrix_file(const MatrixChoice& choice) {
 
 std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
                                               Console console,
-                                              Provenance& provenance,
-                                              std::vector<std::string>& warnings) {
+                                              ChosenMatrix& chosen) {
   if (choice.unit.empty()) {
     throw Error{
         "choosing a confusion matrix: which phones of the words? Give --unit consonant-initial, "
@@ -89,10 +88,11 @@ std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
     console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
     return std::nullopt;
   }
-  provenance = provenance_of(results.dataset, program_name());
-  warnings = results.dataset.warnings;
+  chosen.provenance = provenance_of(results.dataset, program_name());
+  chosen.participants = results.participants.size();
+  chosen.warnings = results.dataset.warnings;
   if (std::ranges::any_of(results.dataset.trials, &Trial::simulated)) {
-    warnings.emplace_back("SIMULATED sessions are among the data");
+    chosen.warnings.emplace_back("SIMULATED sessions are among the data");
   }
   return find_table(results, choice);
 }
@@ -106,7 +106,7 @@ std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console cons
     chosen.provenance = {.program = program_name(),
                          .files = {{file.string(), sha256_of_file(file)}}};
   } else {
-    auto table = tabulate_chosen(choice, console, chosen.provenance, chosen.warnings);
+    auto table = tabulate_chosen(choice, console, chosen);
     if (!table) return std::nullopt;
     chosen.title = fmt::format("{}, condition {}", title(table->unit), table->condition);
     chosen.matrix = std::move(table->matrix);

@@ -25,6 +25,7 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice);
 struct ChosenMatrix {
   std::string title;  ///< "m.csv"; "Vowels, condition visual"
   ConfusionMatrix matrix;
+  std::size_t participants = 0;  ///< whose responses are in it; 0: not known
   Provenance provenance;
   std::vector<std::string> warnings;
 };
@@ -32,12 +33,11 @@ struct ChosenMatrix {
 /// Whether DATA is a matrix as CSV (by its name's ending).
 [[nodiscard]] bool is_matrix_file(const MatrixChoice& choice);
 
-/// Of stored sessions. Absent, and said why on `console.err`, if no trial is left. Throws Error or
-/// StoreError.
+/// Of trials; `chosen` gets everything but title and matrix. Absent, and said why on `console.err`,
+/// if no trial is left. Throws Error or StoreError.
 [[nodiscard]] std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
                                                             Console console,
-                                                            Provenance& provenance,
-                                                            std::vector<std::string>& warnings);
+                                                            ChosenMatrix& chosen);
 
 /// Absent, and said why on `console.err`, if no response is left. Throws Error or StoreError.
 [[nodiscard]] std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console console);

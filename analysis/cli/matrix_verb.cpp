@@ -21,12 +21,11 @@ the answer stands in this place), "blank" (no answer) and "other" (the answer is
 in the dictionary). All conditions of the data have the same rows and columns.)";
 
 ExitCode print_matrix(const MatrixRequest& request, Console console) {
-  std::vector<std::string> warnings;
-  Provenance provenance;
-  const auto table = tabulate_chosen(request.choice, console, provenance, warnings);
+  ChosenMatrix chosen;
+  const auto table = tabulate_chosen(request.choice, console, chosen);
   if (!table) return ExitCode::Findings;
   console.out << (request.csv ? matrix_csv(table->matrix) : matrix_text(*table)) << std::flush;
-  for (const auto& warning : warnings) console.err << "warning: " << warning << '\n';
+  for (const auto& warning : chosen.warnings) console.err << "warning: " << warning << '\n';
   return ExitCode::Done;
 }
 

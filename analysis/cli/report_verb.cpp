@@ -13,7 +13,6 @@
 #include "analysis/report/tables.hpp"
 #include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
-#include "stimuli/base/whole_number.hpp"
 
 namespace bimodal::analysis {
 
@@ -113,13 +112,10 @@ void add_report_verb(CLI::App& program, Verb& chosen) {
                    request->analysis.selection.conditions,
                    "Only this condition (may be repeated)")
       ->allow_extra_args(false);
-  verb->add_option("--draws", request->analysis.bootstrap.draws, "Bootstrap draws")
+  verb->add_option("--resamples,--draws", request->analysis.bootstrap.draws, "Bootstrap draws")
       ->capture_default_str()
       ->check(CLI::Range(100, 1'000'000));
-  verb->add_option("--seed", request->analysis.bootstrap.seed, "Seed of the bootstrap")
-      ->check(
-          CLI::Validator{[](std::string& text) { return whole_number_fault(text, Seed{0}); }, ""})
-      ->capture_default_str();
+  add_seed_option(*verb, request->analysis.bootstrap.seed);
   verb->add_option("--attach-picture", request->pictures, "PNG or JPEG as FILE:caption")
       ->allow_extra_args(false);
   verb->add_option("--attach-sound", request->sounds, "WAV or FLAC as FILE:caption")

@@ -36,6 +36,9 @@ void add_analysis_options(CLI::App& verb, AnalysisRequest& request);
 /// cannot be read.
 [[nodiscard]] bool is_trial_file(const std::filesystem::path& file, const AnalysisRequest& request);
 
+/// Adds --seed, of what is drawn at random. `seed` must outlive `verb`.
+void add_seed_option(CLI::App& verb, Seed& seed);
+
 /// Reads, scores and counts. Throws Error or StoreError.
 [[nodiscard]] Results analyse_request(const AnalysisRequest& request, Console console);
 
