@@ -1,6 +1,9 @@
 #include "analysis/cli/matrix_source.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,8 +16,12 @@ namespace bimodal::analysis {
 
 namespace {
 
-bool is_csv(const std::filesystem::path& file) {
-  return lower_case(file.extension().string()) == ".csv";
+constexpr std::array<std::string_view, 7> kMatrixEndings{
+    ".csv", ".json", ".confusion", ".contingencytable", ".tableofreal", ".praat", ".txt"};
+
+bool has_matrix_ending(const std::filesystem::path& file) {
+  const auto ending = lower_case(file.extension().string());
+  return std::ranges::find(kMatrixEndings, ending) != kMatrixEndings.end();
 }
 
 const UnitConfusions& find_table(const Results& results, const MatrixChoice& choice) {
@@ -32,11 +39,11 @@ const UnitConfusions& find_table(const Results& results, const MatrixChoice& cho
                           fmt::join(names, ", "))};
 }
 
-/// Options that a matrix as CSV leaves nothing to choose by.
+/// Options that a matrix of counts leaves nothing to choose by.
 void require_no_choice(const MatrixChoice& choice) {
   if (choice.analysis.data.size() > 1) {
     throw Error{
-        "choosing a confusion matrix: several files, one of them CSV; name one CSV file, or "
+        "choosing a confusion matrix: several files, one of them a matrix; name one matrix, or "
         "data files of sessions only"};
   }
   const auto& selection = choice.analysis.selection;
@@ -56,9 +63,10 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
   choice.analysis.bootstrap.draws = 0;  // a matrix of counts has no intervals
   add_analysis_options(verb, choice.analysis);
   verb.get_option("DATA")->description(
-      "Data files written by bimodal run or bimodal rehearse, or one confusion matrix as CSV: "
-      "first "
-      "column stimulus, then one column of counts per response");
+      "Data files written by bimodal run or bimodal rehearse, or one confusion matrix: as CSV "
+      "(first "
+      "column stimulus, then one column of counts per response; or stimulus,response,count), as "
+      "JSON, or as a Confusion of Praat");
   verb.add_option("--unit", choice.unit, "Which phones of the words; needed of sessions")
       ->check(CLI::IsMember({"consonant-initial", "vowel", "consonant-final"}));
   verb.add_option(
@@ -66,7 +74,7 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
 }
 
 bool is_matrix_file(const MatrixChoice& choice) {
-  const bool any = std::ranges::any_of(choice.analysis.data, is_csv);
+  const bool any = std::ranges::any_of(choice.analysis.data, has_matrix_ending);
   if (any) require_no_choice(choice);
   return any;
 }
@@ -95,8 +103,9 @@ std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console cons
   ChosenMatrix chosen;
   if (is_matrix_file(choice)) {
     const auto& file = choice.analysis.data.front();
-    chosen.title = file.string();
-    chosen.matrix = read_matrix(file);
+    auto read = read_titled_matrix(file);
+    chosen.title = read.title.empty() ? file.string() : std::move(read.title);
+    chosen.matrix = std::move(read.matrix);
   } else {
     auto table = tabulate_chosen(choice, console, chosen.warnings);
     if (!table) return std::nullopt;

@@ -17,6 +17,11 @@ class CsvReader {
   /// Both outlive the reader.
   CsvReader(std::string_view text, std::string_view file);
 
+  /// Takes the lines off that begin with "# " before the first record, and gives them without that
+  /// mark: what a program says of the table that follows. A field that begins so is in quotation
+  /// marks, or not in the first line.
+  [[nodiscard]] std::vector<std::string> take_remarks();
+
   /// The fields of the next line that is not empty; absent after the last one.
   [[nodiscard]] std::optional<std::vector<std::string>> next();
 

@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+
+#include "analysis/cli/program.hpp"
+#include "stimuli/base/digest.hpp"
+#include "tests/analysis/cli/program_run.hpp"
+#include "tests/analysis/examples.hpp"
+
+namespace bimodal::analysis {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+class ExportVerb : public testing::Test {
+ protected:
+  WrittenFiles files_;
+  const std::string matrix_ =
+      files_.write("m.csv", "stimulus,p,b,m,blank\np,20,3,1,0\nb,5,15,2,2\nm,0,4,18,1\n").string();
+};
+
+TEST_F(ExportVerb, WritesFilesThatEveryVerbReads) {
+  const auto wanted = run({"information", matrix_, "--json"});
+
+  struct Form {
+    const char* format;
+    const char* file;
+  };
+
+  for (const auto& [format, name] : {Form{"csv", "a.csv"},
+                                     Form{"long", "b.csv"},
+                                     Form{"json", "c.json"},
+                                     Form{"praat", "d.Confusion"},
+                                     Form{"praat", "e.txt"}}) {
+    const auto file = (files_ / name).string();
+    const auto made = run({"export", matrix_, "--format", format, "-o", file});
+    ASSERT_EQ(made.code, ExitCode::Done) << made.err;
+    EXPECT_EQ(made.out, file + "\n");
+    EXPECT_EQ(run({"information", file, "--json"}).out, wanted.out) << format;
+  }
+}
+
+TEST_F(ExportVerb, PrintsWhereNoFileIsNamed) {
+  const auto made = run({"export", matrix_, "--format", "Markdown", "--title", "Lips"});
+  EXPECT_EQ(made.code, ExitCode::Done);
+  EXPECT_THAT(made.out, AllOf(StartsWith("**Lips**"), HasSubstr("| 20 (.83) |")));
+  EXPECT_THAT(run({"export", matrix_, "--format", "csv", "--bare", "--proportions"}).out,
+              StartsWith("\"stimulus\",\"p\",\"b\",\"m\",\"blank\"\n\"p\",0.8333333333333334,"));
+  EXPECT_THAT(run({"export", matrix_, "--format", "latex", "--order", "clusters"}).out,
+              HasSubstr("Order: leaves of the dendrogram"));
+}
+
+TEST_F(ExportVerb, RefusesWhatHasNoMeaning) {
+  const auto refused = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"export", matrix_});
+    const auto made = run(arguments);
+    EXPECT_EQ(made.code, ExitCode::Usage);
+    EXPECT_THAT(made.out, IsEmpty());
+    return made.err;
+  };
+  EXPECT_THAT(refused({}), HasSubstr("--format is required"));
+  EXPECT_THAT(refused({"--format", "xlsx"}), HasSubstr("xlsx"));
+  EXPECT_THAT(refused({"--format", "praat", "--proportions"}), HasSubstr("is for --format csv"));
+  EXPECT_THAT(refused({"--format", "json", "--bare"}), HasSubstr("is for --format csv and long"));
+  EXPECT_THAT(refused({"--format", "json", "-o", (files_ / "none/x.json").string()}),
+              HasSubstr("there is no folder"));
+}
+
+}  // namespace
+}  // namespace bimodal::analysis
