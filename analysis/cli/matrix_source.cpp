@@ -105,6 +105,7 @@ std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console cons
     const auto& file = choice.analysis.data.front();
     auto read = read_titled_matrix(file);
     chosen.title = read.title.empty() ? file.string() : std::move(read.title);
+    chosen.warnings = std::move(read.warnings);
     chosen.matrix = std::move(read.matrix);
   } else {
     auto table = tabulate_chosen(choice, console, chosen.warnings);

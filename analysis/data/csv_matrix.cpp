@@ -26,14 +26,6 @@ Refusal refusal_of(const CsvReader& csv) {
   return [&csv](std::string_view finding, std::string_view remedy) { csv.refuse(finding, remedy); };
 }
 
-/// What stands behind "NAME: " in one of the lines before the table; empty if none has it.
-std::string remark(const std::vector<std::string>& remarks, std::string_view name) {
-  const auto start = fmt::format("{}: ", name);
-  const auto found = std::ranges::find_if(
-      remarks, [&](const std::string& line) { return line.starts_with(start); });
-  return found == remarks.end() ? std::string{} : found->substr(start.size());
-}
-
 double count_in(const std::string& field,
                 const std::string& stimulus,
                 const std::string& response,
@@ -123,15 +115,17 @@ TitledMatrix parse_csv_matrix(std::string_view text, std::string_view file) {
   const auto header = csv.next();
   if (!header) csv.refuse("there is no confusion matrix: the file is empty", kForm);
   if (header->size() < 2) csv.refuse("there are no responses in the first line", kForm);
-  const auto cells = remark(remarks, "cells");
-  if (cells == "row proportions") csv.refuse("the cells are row proportions", kCountsWanted);
+  const auto cells = remarks_called("cells", remarks);
+  if (cells == std::vector<std::string>{"row proportions"})
+    csv.refuse("the cells are row proportions", kCountsWanted);
   const auto columns = list_columns(*header);
   auto matrix = columns ? take_list(csv, *header, *columns) : take_table(csv, *header);
   if (matrix.stimuli().empty()) csv.refuse("there are no stimuli after the first line", kForm);
-  if (!columns && cells != "counts" && are_proportions(matrix)) {
+  const bool says_counts = cells == std::vector<std::string>{"counts"};
+  if (!columns && !says_counts && are_proportions(matrix)) {
     csv.refuse("every row makes 1: these are proportions, no counts", kCountsWanted);
   }
-  return {.title = remark(remarks, "title"), .matrix = std::move(matrix)};
+  return titled(std::move(matrix), remarks);
 }
 
 }  // namespace bimodal::analysis

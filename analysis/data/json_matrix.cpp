@@ -87,6 +87,10 @@ TitledMatrix take_matrix(const Json& tree, Findings& findings) {
   ObjectReader object{tree, "", findings};
   TitledMatrix read;
   read.title = object.text("title", {.meaning = "what the matrix is of"}).value_or("");
+  for (const auto& [value, pointer] : object.items("warnings", 0, kMostOfAnAxis)) {
+    const auto warning = object.text_of(*value, pointer, {.meaning = "a warning"});
+    if (warning) read.warnings.push_back(*warning);
+  }
   if (const auto* const orientation = object.find("orientation");
       orientation != nullptr && *orientation != std::string{kOrientation}) {
     findings.error(object.pointer_to("orientation"),

@@ -47,6 +47,23 @@ std::size_t LabelAxis::index_of(const std::string& label, const Refusal& refuse)
   return place->second;
 }
 
+std::vector<std::string> remarks_called(std::string_view name,
+                                        const std::vector<std::string>& remarks) {
+  const auto start = fmt::format("{}: ", name);
+  std::vector<std::string> found;
+  for (const auto& line : remarks) {
+    if (line.starts_with(start)) found.push_back(line.substr(start.size()));
+  }
+  return found;
+}
+
+TitledMatrix titled(ConfusionMatrix matrix, const std::vector<std::string>& remarks) {
+  const auto titles = remarks_called("title", remarks);
+  return {.title = titles.empty() ? std::string{} : titles.front(),
+          .warnings = remarks_called("warning", remarks),
+          .matrix = std::move(matrix)};
+}
+
 bool is_matrix_count(double number) {
   constexpr double kMost = 1e9;
   return number >= 0.0 && number <= kMost;  // and so no NaN

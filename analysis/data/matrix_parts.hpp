@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/statistics/confusion_matrix.hpp"
+#include "analysis/data/matrix_file.hpp"
 
 namespace bimodal::analysis {
 
@@ -37,6 +37,13 @@ class LabelAxis {
   std::vector<std::string> labels_;
   std::map<std::string, std::size_t, std::less<>> indices_;
 };
+
+/// What stands behind "NAME: " in each of the lines before a table that begin so.
+[[nodiscard]] std::vector<std::string> remarks_called(std::string_view name,
+                                                      const std::vector<std::string>& remarks);
+
+/// A matrix with the title and the warnings in the lines before it.
+[[nodiscard]] TitledMatrix titled(ConfusionMatrix matrix, const std::vector<std::string>& remarks);
 
 /// A field that is a count, whole or in parts: from 0 to 1e9, blanks around it ignored.
 [[nodiscard]] std::optional<double> matrix_count(std::string_view field);

@@ -33,13 +33,18 @@ std::size_t take_size(PraatText& praat, std::string_view what) {
   return size;
 }
 
-/// What stands behind "! title: " in the lines before the table: a comment to Praat.
-std::string title_in(std::string_view text) {
-  constexpr std::string_view kStart = "\n! title: ";
-  const auto start = text.find(kStart);
-  if (start == std::string_view::npos || start > text.find("numberOfColumns")) return {};
-  const auto begin = start + kStart.size();
-  return std::string{text.substr(begin, text.find('\n', begin) - begin)};
+/// The lines between the head and the table that are comments to Praat ("! ..."), without that
+/// mark.
+std::vector<std::string> remarks_in(std::string_view text) {
+  constexpr std::string_view kMark = "! ";
+  constexpr std::string_view kTable = "numberOfColumns";
+  std::vector<std::string> remarks;
+  LineReader lines{text};
+  while (const auto line = lines.next()) {
+    if (line->starts_with(kTable)) return remarks;
+    if (line->starts_with(kMark)) remarks.emplace_back(line->substr(kMark.size()));
+  }
+  return {};
 }
 
 }  // namespace
@@ -73,8 +78,7 @@ TitledMatrix parse_praat_matrix(std::string_view text, std::string_view file) {
   if (!praat.at_end()) {
     refuse_here("something follows the last row", "save the Confusion alone");
   }
-  return {.title = title_in(text),
-          .matrix = {stimuli.labels(), responses.labels(), std::move(counts)}};
+  return titled({stimuli.labels(), responses.labels(), std::move(counts)}, remarks_in(text));
 }
 
 }  // namespace bimodal::analysis

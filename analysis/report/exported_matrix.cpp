@@ -18,9 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Titles may be names of files, which may be any bytes.
-std::string one_line(std::string_view title) {
-  std::string line{title};
+/// Titles and warnings may have names of files in them, which may be any bytes.
+std::string one_line(std::string_view bytes) {
+  std::string line{bytes};
   const bool text = is_utf8(line);
   std::ranges::replace_if(
       line,
@@ -56,6 +56,7 @@ std::string header_lines(const ExportedMatrix& exported,
          fmt::format("{}; of each row: {}",
                      exported.matrix.total(),
                      fmt::join(row_totals(exported.matrix), ", ")));
+  for (const auto& warning : exported.warnings) append("warning", warning);
   return lines;
 }
 
@@ -88,9 +89,12 @@ Json rows_of(const ConfusionMatrix& matrix, const Cell& cell) {
 }  // namespace
 
 ExportedMatrix::ExportedMatrix(std::string_view called,
+                               const std::vector<std::string>& warned,
                                const ConfusionMatrix& counted,
                                LabelOrder wanted)
-    : title{one_line(called)}, order{wanted}, matrix{reordered(counted, wanted)} {}
+    : title{one_line(called)}, order{wanted}, matrix{reordered(counted, wanted)} {
+  for (const auto& warning : warned) warnings.push_back(one_line(warning));
+}
 
 std::string matrix_table_csv(const ExportedMatrix& exported, CellContent cells, bool header) {
   const auto& matrix = exported.matrix;
@@ -137,6 +141,7 @@ std::string matrix_json(const ExportedMatrix& exported) {
   json["orientation"] = kOrientation;
   json["order"] = in_words(exported.order);
   json["n"] = json_count(matrix.total());
+  json["warnings"] = exported.warnings;
   json["stimuli"] = matrix.stimuli();
   json["row_totals"] = Json::array();
   for (const double total : row_totals(matrix)) json["row_totals"].push_back(json_count(total));

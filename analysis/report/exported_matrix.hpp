@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "analysis/report/label_order.hpp"
 #include "analysis/statistics/confusion_matrix.hpp"
@@ -11,11 +12,15 @@ namespace bimodal::analysis {
 /// A matrix as other programs get it: its counts in full precision, so that read_matrix gives back
 /// the same.
 struct ExportedMatrix {
-  /// Puts the counts in that order; the title becomes one line of UTF-8. Throws Error; see
+  /// Puts the counts in that order; title and warnings become lines of UTF-8. Throws Error; see
   /// reordered.
-  ExportedMatrix(std::string_view title, const ConfusionMatrix& matrix, LabelOrder order);
+  ExportedMatrix(std::string_view title,
+                 const std::vector<std::string>& warnings,
+                 const ConfusionMatrix& matrix,
+                 LabelOrder order);
 
   std::string title;
+  std::vector<std::string> warnings;  ///< that readers must have before them: simulated data
   LabelOrder order;
   ConfusionMatrix matrix;
 };
@@ -25,7 +30,7 @@ enum class CellContent { Counts, RowProportions };
 
 /// CSV: the first column has the stimuli, the header the responses. Row proportions are empty where
 /// a stimulus was never presented. With `header`, lines come before that begin with "# ": title,
-/// orientation, cells, order, n.
+/// orientation, cells, order, n, warnings.
 [[nodiscard]] std::string matrix_table_csv(const ExportedMatrix& exported,
                                            CellContent cells,
                                            bool header);
@@ -33,7 +38,7 @@ enum class CellContent { Counts, RowProportions };
 /// CSV with a line for each cell, empty ones too: stimulus, response, count, row_total, proportion.
 [[nodiscard]] std::string matrix_list_csv(const ExportedMatrix& exported, bool header);
 
-/// One object: title, orientation, order, n, stimuli, row_totals, responses, counts and
+/// One object: title, orientation, order, n, warnings, stimuli, row_totals, responses, counts and
 /// row_proportions (null in rows without responses).
 [[nodiscard]] std::string matrix_json(const ExportedMatrix& exported);
 

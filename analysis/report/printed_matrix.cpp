@@ -72,11 +72,13 @@ std::string cell(const ConfusionMatrix& matrix, std::size_t row, std::size_t col
 }
 
 std::string note(const ExportedMatrix& exported) {
-  return fmt::format(
+  auto text = fmt::format(
       "Rows are stimuli, columns are responses: counts, and in brackets proportions of the row. n: "
       "responses in the row, {} in all. Order: {}.",
       printed_count(exported.matrix.total()),
       in_words(exported.order));
+  for (const auto& warning : exported.warnings) text += fmt::format(" Warning: {}.", warning);
+  return text;
 }
 
 /// The fields of a row: stimulus, a cell for each response, n.
@@ -128,7 +130,7 @@ std::string matrix_markdown(const ExportedMatrix& exported) {
     fields = row_fields(matrix, i, markdown(matrix.stimuli()[i]));
     table += fmt::format("| {} |\n", fmt::join(fields, " | "));
   }
-  table += fmt::format("\n*Note.* {}\n", note(exported));
+  table += fmt::format("\n*Note.* {}\n", markdown(note(exported)));
   return table;
 }
 

@@ -51,6 +51,17 @@ TEST_F(ExportVerb, PrintsWhereNoFileIsNamed) {
               HasSubstr("Order: leaves of the dendrogram"));
 }
 
+TEST_F(ExportVerb, KeepsWarningsWithTheCounts) {
+  const auto simulated =
+      files_.write("s.csv", "# warning: SIMULATED sessions\ns,p,b\np,3,1\nb,0,4\n").string();
+  const auto file = (files_ / "s.json").string();
+  EXPECT_THAT(run({"export", simulated, "--format", "json", "-o", file}).err,
+              HasSubstr("warning: SIMULATED sessions"));
+  EXPECT_THAT(run({"information", file}).err, HasSubstr("warning: SIMULATED sessions"));
+  EXPECT_THAT(run({"export", file, "--format", "markdown"}).out,
+              HasSubstr("Warning: SIMULATED sessions."));
+}
+
 TEST_F(ExportVerb, RefusesWhatHasNoMeaning) {
   const auto refused = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"export", matrix_});

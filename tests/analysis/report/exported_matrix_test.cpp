@@ -1,7 +1,8 @@
 #include "analysis/report/exported_matrix.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -20,18 +21,19 @@ namespace {
 
 using testing::AllOf;
 using testing::ElementsAre;
+using testing::ElementsAreArray;
 using testing::HasSubstr;
-using testing::Not;
 using testing::StartsWith;
 
 constexpr std::string_view kTitle = "Vowels, \"face\" alone";
+constexpr std::array kWarnings{"SIMULATED sessions are among the data", "\"two\", 3: warning"};
 
 ConfusionMatrix sample() {
   return {{"p", "b", "NA"}, {"b", "p", "blank"}, {3, 20, 1, 15, 5.5, 0, 0, 0, 0}};
 }
 
 ExportedMatrix exported(const ConfusionMatrix& matrix, LabelOrder order = LabelOrder::Given) {
-  return {kTitle, matrix, order};
+  return {kTitle, {kWarnings.begin(), kWarnings.end()}, matrix, order};
 }
 
 /// The forms that are read back.
@@ -105,6 +107,7 @@ TEST(ExportedMatrix, ReadsBackIdenticalWhateverLabelsAndCounts) {
     for (const auto& form : forms_of(exported(matrix))) {
       const auto read = parse_titled_matrix(form, "m");
       EXPECT_EQ(read.title, kTitle);
+      EXPECT_THAT(read.warnings, ElementsAreArray(kWarnings));
       expect_same(read.matrix, matrix);
       if (testing::Test::HasFailure()) FAIL() << form;
     }
@@ -116,6 +119,8 @@ TEST(ExportedMatrix, SaysWhatAReaderMustKnow) {
               StartsWith("# title: Vowels, \"face\" alone\n"
                          "# orientation: rows are stimuli, columns are responses\n"
                          "# cells: counts\n# order: as given\n# n: 44.5; of each row: 24, 20.5, 0\n"
+                         "# warning: SIMULATED sessions are among the data\n"
+                         "# warning: \"two\", 3: warning\n"
                          "\"stimulus\",\"b\",\"p\",\"blank\"\n\"p\",3,20,1\n"));
   EXPECT_THAT(matrix_table_csv(exported(sample()), CellContent::Counts, false),
               StartsWith("\"stimulus\","));
@@ -125,8 +130,8 @@ TEST(ExportedMatrix, SaysWhatAReaderMustKnow) {
   EXPECT_EQ(json["row_totals"], nlohmann::json::parse("[24, 20.5, 0]"));
   EXPECT_EQ(json["row_proportions"][0][0], 3.0 / 24.0);
   EXPECT_TRUE(json["row_proportions"][2][0].is_null());
-  EXPECT_EQ(ExportedMatrix(" a\nb\t", sample(), LabelOrder::Given).title, "a b");
-  EXPECT_EQ(ExportedMatrix("\xff.csv", sample(), LabelOrder::Given).title, ".csv");
+  EXPECT_EQ(ExportedMatrix(" a\nb\t", {}, sample(), LabelOrder::Given).title, "a b");
+  EXPECT_EQ(ExportedMatrix("\xff.csv", {}, sample(), LabelOrder::Given).title, ".csv");
 }
 
 TEST(ExportedMatrix, HasRowProportionsInATableOfTheirOwn) {
@@ -165,19 +170,22 @@ TEST(ExportedMatrix, PutsStimuliThatAreAlikeSideBySide) {
 
 TEST(PrintedMatrix, IsATableOfAPaperInLatex) {
   const ConfusionMatrix matrix{{"p_%", "[b"}, {"p_%", "a\\b"}, {20, 4, 0, 0.5}};
-  const auto table = matrix_latex(ExportedMatrix{"50 % & more", matrix, LabelOrder::Given});
+  const auto table =
+      matrix_latex(ExportedMatrix{"50 % & more", {"made_up"}, matrix, LabelOrder::Given});
   EXPECT_THAT(table,
               HasSubstr("\\textit{50 \\% \\& more}\\par\\medskip\n\\begin{tabular}{l*{2}{r}r}\n"
                         "\\toprule\nStimulus & p\\_\\% & a\\textbackslash{}b & \\textit{n} \\\\\n"
                         "\\midrule\np\\_\\% & 20 (.83) & 4 (.17) & 24 \\\\\n"
                         "{[}b & 0 & 0.50 (1.00) & 0.50 \\\\\n\\bottomrule\n"));
-  EXPECT_THAT(table, HasSubstr("n: responses in the row, 24.50 in all. Order: as given."));
+  EXPECT_THAT(
+      table,
+      HasSubstr("n: responses in the row, 24.50 in all. Order: as given. Warning: made\\_up.\n"));
 }
 
 TEST(PrintedMatrix, IsATableInMarkdown) {
   const ConfusionMatrix matrix{{"a|b", "*"}, {"a|b", "*"}, {20, 4, 0, 0}};
   EXPECT_THAT(
-      matrix_markdown(ExportedMatrix{"T_1", matrix, LabelOrder::Given}),
+      matrix_markdown(ExportedMatrix{"T_1", {"made_up"}, matrix, LabelOrder::Given}),
       StartsWith("**T\\_1**\n\n| Stimulus | a\\|b | \\* | *n* |\n"
                  "| :--- | ---: | ---: | ---: |\n"
                  "| a\\|b | 20 (.83) | 4 (.17) | 24 |\n| \\* | 0 | 0 | 0 |\n\n*Note.* Rows"));
