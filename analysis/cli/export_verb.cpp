@@ -68,8 +68,9 @@ ExitCode export_matrix(const ExportRequest& request, Console console) {
   const auto chosen = load_chosen(request.choice, console);
   if (!chosen) return ExitCode::Findings;
   const auto& title = request.title.empty() ? chosen->title : request.title;
-  const auto text =
-      rendered(request, ExportedMatrix{title, chosen->warnings, chosen->matrix, request.order});
+  ExportedMatrix exported{title, chosen->warnings, chosen->matrix, request.order};
+  exported.provenance = chosen->provenance;
+  const auto text = rendered(request, exported);
   if (request.file.empty()) {
     console.out << text << std::flush;
   } else {

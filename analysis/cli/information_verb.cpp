@@ -37,6 +37,7 @@ ExitCode print_information(const InformationRequest& request, Console console) {
                   {.text = [&] { return information_text(table); },
                    .csv = [&] { return information_csv(table); },
                    .json = [&] { return information_json(table); }},
+                  chosen->provenance,
                   chosen->warnings,
                   console);
 }

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "analysis/data/matrix_file.hpp"
+#include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/lower_case.hpp"
 
@@ -63,10 +64,9 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
   choice.analysis.bootstrap.draws = 0;  // a matrix of counts has no intervals
   add_analysis_options(verb, choice.analysis);
   verb.get_option("DATA")->description(
-      "Data files written by bimodal run or bimodal rehearse, or one confusion matrix: as CSV "
-      "(first "
-      "column stimulus, then one column of counts per response; or stimulus,response,count), as "
-      "JSON, or as a Confusion of Praat");
+      "Data files written by bimodal run or bimodal rehearse, trials as CSV, or one confusion "
+      "matrix: as CSV (first column stimulus, then one column of counts per response; or "
+      "stimulus,response,count), as JSON, or as a Confusion of Praat");
   verb.add_option("--unit", choice.unit, "Which phones of the words; needed of sessions")
       ->check(CLI::IsMember({"consonant-initial", "vowel", "consonant-final"}));
   verb.add_option(
@@ -74,13 +74,17 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
 }
 
 bool is_matrix_file(const MatrixChoice& choice) {
-  const bool any = std::ranges::any_of(choice.analysis.data, has_matrix_ending);
+  const auto is_matrix = [&](const std::filesystem::path& file) {
+    return has_matrix_ending(file) && !is_trial_file(file, choice.analysis);
+  };
+  const bool any = std::ranges::any_of(choice.analysis.data, is_matrix);
   if (any) require_no_choice(choice);
   return any;
 }
 
 std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
                                               Console console,
+                                              Provenance& provenance,
                                               std::vector<std::string>& warnings) {
   if (choice.unit.empty()) {
     throw Error{
@@ -92,6 +96,7 @@ std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
     console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
     return std::nullopt;
   }
+  provenance = provenance_of(results.dataset, program_name());
   warnings = results.dataset.warnings;
   if (std::ranges::any_of(results.dataset.trials, &Trial::simulated)) {
     warnings.emplace_back("SIMULATED sessions are among the data");
@@ -107,8 +112,10 @@ std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console cons
     chosen.title = read.title.empty() ? file.string() : std::move(read.title);
     chosen.warnings = std::move(read.warnings);
     chosen.matrix = std::move(read.matrix);
+    chosen.provenance = {.program = program_name(),
+                         .files = {{file.string(), sha256_of_file(file)}}};
   } else {
-    auto table = tabulate_chosen(choice, console, chosen.warnings);
+    auto table = tabulate_chosen(choice, console, chosen.provenance, chosen.warnings);
     if (!table) return std::nullopt;
     chosen.title = fmt::format("{}, condition {}", title(table->unit), table->condition);
     chosen.matrix = std::move(table->matrix);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/cli/verb.hpp"
+#include "analysis/report/provenance.hpp"
 #include "analysis/statistics/confusion_matrix.hpp"
 
 namespace bimodal::analysis {
@@ -24,6 +25,7 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice);
 struct ChosenMatrix {
   std::string title;  ///< what the file says it is, or "m.csv"; "Vowels, condition visual"
   ConfusionMatrix matrix;
+  Provenance provenance;
   std::vector<std::string> warnings;
 };
 
@@ -35,6 +37,7 @@ struct ChosenMatrix {
 /// StoreError.
 [[nodiscard]] std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
                                                             Console console,
+                                                            Provenance& provenance,
                                                             std::vector<std::string>& warnings);
 
 /// Absent, and said why on `console.err`, if no response is left. Throws Error or StoreError.

@@ -22,7 +22,8 @@ in the dictionary). All conditions of the data have the same rows and columns.)"
 
 ExitCode print_matrix(const MatrixRequest& request, Console console) {
   std::vector<std::string> warnings;
-  const auto table = tabulate_chosen(request.choice, console, warnings);
+  Provenance provenance;
+  const auto table = tabulate_chosen(request.choice, console, provenance, warnings);
   if (!table) return ExitCode::Findings;
   console.out << (request.csv ? matrix_csv(table->matrix) : matrix_text(*table)) << std::flush;
   for (const auto& warning : warnings) console.err << "warning: " << warning << '\n';

@@ -9,10 +9,20 @@ void add_output_form(CLI::App& verb, OutputForm& form) {
 
 ExitCode print_as(const OutputForm& form,
                   const Renderings& renderings,
+                  const Provenance& provenance,
                   const std::vector<std::string>& warnings,
                   Console console) {
-  const auto& make = form.json ? renderings.json : form.csv ? renderings.csv : renderings.text;
-  console.out << make() << std::flush;
+  if (form.json) {
+    auto json = nlohmann::ordered_json::parse(renderings.json());
+    json["data"] = provenance_json(provenance);
+    json["warnings"] = warnings;
+    console.out << json.dump(2) << '\n' << std::flush;
+  } else if (form.csv) {
+    console.out << renderings.csv() << std::flush;
+    console.err << provenance_text(provenance);
+  } else {
+    console.out << renderings.text() << provenance_text(provenance) << std::flush;
+  }
   for (const auto& warning : warnings) console.err << "warning: " << warning << '\n';
   return ExitCode::Done;
 }

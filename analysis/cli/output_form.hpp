@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "analysis/cli/program.hpp"
+#include "analysis/report/provenance.hpp"
 
 namespace bimodal::analysis {
 
@@ -26,9 +27,11 @@ struct Renderings {
   std::function<std::string()> json;
 };
 
-/// Prints the wanted form, and the warnings on `console.err`.
+/// Prints the wanted form with what it is made of (text: in its last lines; JSON: under "data"; CSV
+/// has no room for it: on `console.err`), and the warnings on `console.err`.
 ExitCode print_as(const OutputForm& form,
                   const Renderings& renderings,
+                  const Provenance& provenance,
                   const std::vector<std::string>& warnings,
                   Console console);
 

@@ -11,6 +11,7 @@
 #include "analysis/data/counts_file.hpp"
 #include "analysis/report/csv.hpp"
 #include "analysis/statistics/interval.hpp"
+#include "stimuli/base/digest.hpp"
 
 namespace bimodal::analysis {
 
@@ -120,6 +121,8 @@ ExitCode print_proportions(const ProportionsRequest& request, Console console) {
                   {.text = [&] { return as_text(rows, request.level); },
                    .csv = [&] { return as_csv(rows, table); },
                    .json = [&] { return as_json(rows, table, request.level); }},
+                  Provenance{.program = program_name(),
+                             .files = {{request.counts.string(), sha256_of_file(request.counts)}}},
                   {},
                   console);
 }

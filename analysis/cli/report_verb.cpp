@@ -74,7 +74,7 @@ ExitCode make_report(const ReportRequest& request, Console console) {
     console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
     return ExitCode::Findings;
   }
-  const Making making{.program = fmt::format("bimodal-analysis {}", program_version()),
+  const Making making{.program = program_name(),
                       .made_utc = now_utc(),
                       .selection = selection_in_words(request.analysis.selection)};
   std::error_code failure;

@@ -36,6 +36,7 @@ ExitCode print_sinfa(const SinfaRequest& request, Console console) {
                   {.text = [&] { return sinfa_text(chosen->title, found); },
                    .csv = [&] { return sinfa_csv(found); },
                    .json = [&] { return sinfa_json(chosen->title, found); }},
+                  chosen->provenance,
                   chosen->warnings,
                   console);
 }

@@ -54,6 +54,7 @@ ExitCode print_clusters(const StructureRequest& request, Console console) {
                   {.text = [&] { return cluster_text(table); },
                    .csv = [&] { return cluster_csv(table); },
                    .json = [&] { return cluster_json(table); }},
+                  chosen->provenance,
                   chosen->warnings,
                   console);
 }
@@ -70,6 +71,7 @@ ExitCode print_layout(const StructureRequest& request, Console console) {
                   {.text = [&] { return layout_text(table); },
                    .csv = [&] { return layout_csv(table); },
                    .json = [&] { return layout_json(table); }},
+                  chosen->provenance,
                   chosen->warnings,
                   console);
 }

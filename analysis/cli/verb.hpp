@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "analysis/cli/program.hpp"
-#include "analysis/data/stored_data.hpp"
+#include "analysis/data/gathering.hpp"
 #include "analysis/report/results.hpp"
 
 namespace bimodal::analysis {
@@ -18,7 +18,10 @@ namespace bimodal::analysis {
 /// What every verb needs to come to results.
 struct AnalysisRequest {
   std::vector<std::filesystem::path> data;
+  std::filesystem::path mapping;  ///< of tables of trials; empty: none
   Selection selection;
+  std::vector<Criterion> criteria;
+  std::filesystem::path lexicon;     ///< as CSV; empty: a dictionary is asked
   std::filesystem::path dictionary;  ///< empty: the installed one
   CrossedBootstrap::Options bootstrap;
 };
@@ -28,6 +31,10 @@ using Verb = std::function<ExitCode(Console)>;
 
 /// Adds DATA and the options that choose trials and the dictionary. `request` must outlive `verb`.
 void add_analysis_options(CLI::App& verb, AnalysisRequest& request);
+
+/// Whether a file is a table of trials as CSV (and not a matrix of counts). Throws Error if it
+/// cannot be read.
+[[nodiscard]] bool is_trial_file(const std::filesystem::path& file, const AnalysisRequest& request);
 
 /// Reads, scores and counts. Throws Error or StoreError.
 [[nodiscard]] Results analyse_request(const AnalysisRequest& request, Console console);
@@ -47,5 +54,8 @@ void add_export_verb(CLI::App& program, Verb& chosen);
 
 /// Of the program, e.g. "0.1.0".
 [[nodiscard]] std::string_view program_version();
+
+/// With its version: "bimodal-analysis 0.1.0".
+[[nodiscard]] std::string program_name();
 
 }  // namespace bimodal::analysis

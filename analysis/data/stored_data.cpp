@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/data/cautions.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
 
@@ -47,10 +46,9 @@ bool is_simulated(const StoredSession& session) {
   return session.session.simulated_answers || session.session.simulated_time;
 }
 
-SessionSummary summarise(const StoredSession& stored, std::size_t file) {
+SessionSummary summarise(const StoredSession& stored) {
   const auto& session = stored.session;
-  return {.file = file,
-          .id = session.id,
+  return {.id = session.id,
           .participant = session.participant,
           .participant_number = session.participant_number,
           .session_number = session.session_number,
@@ -102,70 +100,6 @@ Trial make_trial(const StoredTrial& stored, const SourceFile& file, const Stored
              .simulated = is_simulated(session)};
   if (trial.response.first_key) made.first_key = *trial.response.first_key - reference_of(trial);
   return made;
-}
-
-bool wanted(const std::vector<std::string>& selected, const std::string& name) {
-  return selected.empty() || std::ranges::find(selected, name) != selected.end();
-}
-
-/// Counts what is left out, each trial under the first reason that applies.
-class Sieve {
- public:
-  explicit Sieve(const Selection& selection) : selection_{selection} {}
-
-  bool passes(const Trial& trial) {
-    if (!selection_.include_practice && trial.phase == "practice") return left_out(practice_);
-    if (!wanted(selection_.participants, trial.participant)) return left_out(participant_);
-    if (!wanted(selection_.conditions, trial.condition)) return left_out(condition_);
-    if (trial.excluded) return left_out(excluded_);
-    if (selection_.exclude_flagged && trial.flagged) return left_out(flagged_);
-    if (selection_.exclude_simulated && trial.simulated) return left_out(simulated_);
-    return true;
-  }
-
-  [[nodiscard]] std::vector<Exclusion> exclusions() const {
-    std::vector<Exclusion> all;
-    if (!selection_.include_practice) all.push_back({"practice trial", practice_});
-    if (!selection_.participants.empty()) {
-      all.push_back({"participant not selected", participant_});
-    }
-    if (!selection_.conditions.empty()) all.push_back({"condition not selected", condition_});
-    if (excluded_ > 0) {
-      all.push_back({"excluded by the protocol's rule: timing not as planned", excluded_});
-    }
-    if (selection_.exclude_flagged) {
-      all.push_back({"flagged: timing not as planned", flagged_});
-    }
-    if (selection_.exclude_simulated) all.push_back({"simulated answer", simulated_});
-    return all;
-  }
-
- private:
-  static bool left_out(std::int64_t& count) {
-    ++count;
-    return false;
-  }
-
-  const Selection& selection_;
-  std::int64_t practice_ = 0;
-  std::int64_t excluded_ = 0;
-  std::int64_t participant_ = 0;
-  std::int64_t condition_ = 0;
-  std::int64_t flagged_ = 0;
-  std::int64_t simulated_ = 0;
-};
-
-void demand_known(const std::vector<std::string>& selected,
-                  const std::set<std::string>& known,
-                  std::string_view kind) {
-  for (const auto& name : selected) {
-    if (known.contains(name)) continue;
-    throw Error{fmt::format("selecting trials: no {} \"{}\" in the data; there {} {}",
-                            kind,
-                            name,
-                            known.size() == 1 ? "is only" : "are",
-                            known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")))};
-  }
 }
 
 void refuse_doubled_sessions(std::span<const StoredFile> files) {
@@ -222,35 +156,25 @@ std::vector<StoredFile> read_stored_files(std::span<const std::filesystem::path>
   return read;
 }
 
-Dataset gather_trials(std::span<const StoredFile> files, const Selection& selection) {
+std::vector<TrialsOfFile> trials_of(std::span<const StoredFile> files) {
   refuse_doubled_sessions(files);
-  Dataset dataset;
-  Sieve sieve{selection};
-  std::set<std::string> conditions;
-  std::set<std::string> participants;
+  std::vector<TrialsOfFile> all;
   for (const auto& [file, sessions, warnings] : files) {
-    dataset.warnings.insert(dataset.warnings.end(), warnings.begin(), warnings.end());
+    TrialsOfFile read{.file = file, .sessions = {}, .warnings = warnings};
     for (const auto& session : sessions) {
-      auto summary = summarise(session, dataset.files.size());
-      participants.insert(summary.participant);
+      SessionTrials made{.summary = summarise(session), .trials = {}};
       for (const auto& stored : session.trials) {
-        conditions.insert(stored.plan.condition);
-        ++dataset.stored_trials;
-        auto trial = make_trial(stored, file, session);
-        if (!sieve.passes(trial)) continue;
-        trial.session = dataset.sessions.size();
-        ++summary.analysed_trials;
-        dataset.trials.push_back(std::move(trial));
+        made.trials.push_back(make_trial(stored, file, session));
       }
-      dataset.sessions.push_back(std::move(summary));
+      read.sessions.push_back(std::move(made));
     }
-    dataset.files.push_back(file);
+    all.push_back(std::move(read));
   }
-  demand_known(selection.conditions, conditions, "condition");
-  demand_known(selection.participants, participants, "participant");
-  dataset.exclusions = sieve.exclusions();
-  add_cautions(dataset);
-  return dataset;
+  return all;
+}
+
+Dataset gather_trials(std::span<const StoredFile> files, const Selection& selection) {
+  return gather(trials_of(files), selection);
 }
 
 }  // namespace bimodal::analysis

@@ -29,7 +29,7 @@ struct Trial {
   /// Reaction times count from the point that the protocol names: the onset of sound or picture, or
   /// the end of the stimulus. Negative for a key pressed before it.
   std::optional<Duration> first_key;
-  Duration submitted{};
+  std::optional<Duration> submitted;  ///< absent: not known
   bool timed_out = false;
   bool flagged = false;    ///< the timing was not as planned
   bool excluded = false;   ///< and by the protocol's rule it is not analysed

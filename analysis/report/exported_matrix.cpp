@@ -56,6 +56,9 @@ std::string header_lines(const ExportedMatrix& exported,
          fmt::format("{}; of each row: {}",
                      exported.matrix.total(),
                      fmt::join(row_totals(exported.matrix), ", ")));
+  if (const auto trials = one_line(provenance_text(exported.provenance)); !trials.empty()) {
+    append("data", trials);
+  }
   for (const auto& warning : exported.warnings) append("warning", warning);
   return lines;
 }
@@ -142,6 +145,9 @@ std::string matrix_json(const ExportedMatrix& exported) {
   json["order"] = in_words(exported.order);
   json["n"] = json_count(matrix.total());
   json["warnings"] = exported.warnings;
+  if (!exported.provenance.program.empty()) {
+    json["data"] = provenance_json(exported.provenance);
+  }
   json["stimuli"] = matrix.stimuli();
   json["row_totals"] = Json::array();
   for (const double total : row_totals(matrix)) json["row_totals"].push_back(json_count(total));
@@ -152,7 +158,7 @@ std::string matrix_json(const ExportedMatrix& exported) {
     const auto proportion = matrix.proportion(i, j);
     return proportion ? Json(*proportion) : Json(nullptr);
   });
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string matrix_praat(const ExportedMatrix& exported) {

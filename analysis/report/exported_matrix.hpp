@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/report/label_order.hpp"
+#include "analysis/report/provenance.hpp"
 #include "analysis/statistics/confusion_matrix.hpp"
 
 namespace bimodal::analysis {
@@ -23,6 +24,7 @@ struct ExportedMatrix {
   std::vector<std::string> warnings;  ///< that readers must have before them: simulated data
   LabelOrder order;
   ConfusionMatrix matrix;
+  Provenance provenance;  ///< told where there is a program in it
 };
 
 /// What the cells of a table have.
@@ -30,7 +32,7 @@ enum class CellContent { Counts, RowProportions };
 
 /// CSV: the first column has the stimuli, the header the responses. Row proportions are empty where
 /// a stimulus was never presented. With `header`, lines come before that begin with "# ": title,
-/// orientation, cells, order, n, warnings.
+/// orientation, cells, order, n, data (trials and exclusions), warnings.
 [[nodiscard]] std::string matrix_table_csv(const ExportedMatrix& exported,
                                            CellContent cells,
                                            bool header);
@@ -38,8 +40,8 @@ enum class CellContent { Counts, RowProportions };
 /// CSV with a line for each cell, empty ones too: stimulus, response, count, row_total, proportion.
 [[nodiscard]] std::string matrix_list_csv(const ExportedMatrix& exported, bool header);
 
-/// One object: title, orientation, order, n, warnings, stimuli, row_totals, responses, counts and
-/// row_proportions (null in rows without responses).
+/// One object: title, orientation, order, n, warnings, data (where they came from), stimuli, row_totals, responses,
+/// counts and row_proportions (null in rows without responses).
 [[nodiscard]] std::string matrix_json(const ExportedMatrix& exported);
 
 /// A text file of Praat, which opens it as an object of class Confusion (Boersma & Weenink, Praat

@@ -1,5 +1,6 @@
 #include "analysis/report/printed_matrix.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,9 @@ std::string note(const ExportedMatrix& exported) {
       "responses in the row, {} in all. Order: {}.",
       printed_count(exported.matrix.total()),
       in_words(exported.order));
+  auto trials = provenance_text(exported.provenance);
+  std::ranges::replace(trials, '\n', ' ');
+  if (!trials.empty()) text += " " + trials.substr(0, trials.size() - 1);
   for (const auto& warning : exported.warnings) text += fmt::format(" Warning: {}.", warning);
   return text;
 }

@@ -8,6 +8,9 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "stimuli/base/error.hpp"
 
 namespace bimodal::analysis {
 
@@ -82,6 +85,53 @@ std::vector<std::string> order_participants(const Dataset& dataset) {
   return ordered;
 }
 
+/// Leaves out the participants who do not reach a criterion; counts their trials.
+void exclude_below(const Criterion& criterion, Results& results) {
+  auto& dataset = results.dataset;
+
+  struct Tally {
+    std::int64_t correct = 0;
+    std::int64_t trials = 0;
+  };
+
+  std::map<std::string, Tally> tallies;
+  for (std::size_t i = 0; i < dataset.trials.size(); ++i) {
+    const auto& trial = dataset.trials[i];
+    if (trial.condition != criterion.condition) continue;
+    auto& tally = tallies[trial.participant];
+    ++tally.trials;
+    tally.correct += results.scores[i].word_correct() ? 1 : 0;
+  }
+  if (tallies.empty() && !dataset.trials.empty()) {
+    throw Error{fmt::format("leaving out participants: the data have no condition \"{}\"",
+                            criterion.condition)};
+  }
+  std::set<std::string> below;
+  for (const auto& [participant, tally] : tallies) {
+    const auto correct = static_cast<double>(tally.correct);
+    if (correct < criterion.least * static_cast<double>(tally.trials)) below.insert(participant);
+  }
+  std::vector<Trial> trials;
+  std::vector<Score> scores;
+  for (std::size_t i = 0; i < dataset.trials.size(); ++i) {
+    auto& trial = dataset.trials[i];
+    if (below.contains(trial.participant)) {
+      --dataset.sessions[trial.session].analysed_trials;
+      continue;
+    }
+    trials.push_back(std::move(trial));
+    scores.push_back(std::move(results.scores[i]));
+  }
+  dataset.exclusions.push_back(
+      {.reason = fmt::format("participant below {:g} correct in \"{}\" ({})",
+                             criterion.least,
+                             criterion.condition,
+                             below.empty() ? "nobody" : fmt::format("{}", fmt::join(below, ", "))),
+       .trials = static_cast<std::int64_t>(dataset.trials.size() - trials.size())});
+  dataset.trials = std::move(trials);
+  results.scores = std::move(scores);
+}
+
 /// Below this number of participants a resampled interval hardly knows how participants differ.
 constexpr std::int64_t kFewParticipants = 6;
 
@@ -127,6 +177,7 @@ Results analyse(Dataset dataset,
   const auto& trials = results.dataset.trials;
   options.progress(fmt::format("scoring {} answers", trials.size()));
   results.scores = score_all(trials, dictionary);
+  for (const auto& criterion : options.criteria) exclude_below(criterion, results);
   results.participants = order_participants(results.dataset);
   results.conditions = summarise_conditions(trials, results.scores);
   std::vector<std::string> names;

@@ -32,8 +32,15 @@ struct DictionarySource {
   std::string sha256;
 };
 
+/// Who did worse is left out of everything: of words correct (homophones too) in a condition.
+struct Criterion {
+  std::string condition;
+  double least = 0.0;  ///< proportion
+};
+
 struct AnalysisOptions {
   CrossedBootstrap::Options bootstrap;
+  std::vector<Criterion> criteria;
   /// Told what is being done; for a progress display.
   std::function<void(std::string_view step)> progress = [](std::string_view) {};
 };

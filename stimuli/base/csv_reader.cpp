@@ -33,7 +33,8 @@ std::string excerpt(std::string_view field) {
 
 }  // namespace
 
-CsvReader::CsvReader(std::string_view text, std::string_view file) : text_{text}, file_{file} {
+CsvReader::CsvReader(std::string_view text, std::string_view file, char delimiter)
+    : text_{text}, file_{file}, delimiter_{delimiter} {
   if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
 }
 
@@ -60,7 +61,7 @@ std::optional<std::vector<std::string>> CsvReader::next() {
     }
     fields.push_back(take_field());
     if (at_ == text_.size()) return fields;
-    const bool goes_on = text_[at_] == ',';
+    const bool goes_on = text_[at_] == delimiter_;
     step();
     if (!goes_on) return fields;
   }
@@ -84,7 +85,7 @@ bool CsvReader::at_end_of_line() const {
 std::string CsvReader::take_field() {
   if (at_ < text_.size() && text_[at_] == '"') return take_quoted_field();
   const auto begin = at_;
-  while (at_ < text_.size() && text_[at_] != ',' && !at_end_of_line()) ++at_;
+  while (at_ < text_.size() && text_[at_] != delimiter_ && !at_end_of_line()) ++at_;
   const auto field = text_.substr(begin, at_ - begin);
   const bool quote = field.find('"') != std::string_view::npos;
   if (quote || field.find('\r') != std::string_view::npos) {
@@ -107,7 +108,7 @@ std::string CsvReader::take_quoted_field() {
     const bool quote = text_[at_] == '"';
     if (quote && (at_ + 1 == text_.size() || text_[at_ + 1] != '"')) {
       ++at_;
-      if (at_ < text_.size() && text_[at_] != ',' && !at_end_of_line()) {
+      if (at_ < text_.size() && text_[at_] != delimiter_ && !at_end_of_line()) {
         refuse_at(file_,
                   reached_line_,
                   fmt::format("{} goes on behind its quotation mark", excerpt(field)),

@@ -14,8 +14,9 @@ namespace bimodal {
 /// interpreted: "NA" is a syllable. Throws Error, naming file and line.
 class CsvReader {
  public:
-  /// Both outlive the reader.
-  CsvReader(std::string_view text, std::string_view file);
+  /// Both texts outlive the reader. Fields end at the delimiter; in many countries tables have
+  /// semicolons.
+  CsvReader(std::string_view text, std::string_view file, char delimiter = ',');
 
   /// Takes the lines off that begin with "# " before the first record, and gives them without that
   /// mark: what a program says of the table that follows. A field that begins so is in quotation
@@ -39,6 +40,7 @@ class CsvReader {
 
   std::string_view text_;
   std::string_view file_;
+  char delimiter_;
   std::size_t at_ = 0;
   std::size_t reached_line_ = 1;
   std::size_t line_ = 1;

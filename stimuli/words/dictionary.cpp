@@ -50,11 +50,6 @@ class SymbolReader {
   std::array<Phone, 26UL * 27UL> table_{};
 };
 
-struct Entry {
-  std::string spelling;
-  Pronunciation phones;
-};
-
 /// Takes the first blank-separated part off a line; empty if there is none.
 std::string_view take_part(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(kBlank), line.size()));
@@ -73,7 +68,7 @@ std::string spelling_of(std::string_view headword) {
   return spelling;
 }
 
-std::vector<Entry> parse(std::string_view text, const std::string& file) {
+std::vector<DictionaryEntry> parse(std::string_view text, const std::string& file) {
   const auto fail = [&](std::size_t line, std::string_view finding) {
     throw Error{fmt::format(
         "{}:{}: reading the pronouncing dictionary: {}; each line must be a spelling and its"
@@ -82,7 +77,7 @@ std::vector<Entry> parse(std::string_view text, const std::string& file) {
         line,
         finding)};
   };
-  std::vector<Entry> entries;
+  std::vector<DictionaryEntry> entries;
   entries.reserve(static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1);
   const SymbolReader phone_of;
   for (std::size_t number = 1; !text.empty(); ++number) {
@@ -91,7 +86,7 @@ std::vector<Entry> parse(std::string_view text, const std::string& file) {
     if (line.starts_with(";;;") || line.starts_with("##")) continue;
     const auto headword = take_part(line);
     if (headword.empty()) continue;
-    Entry entry{spelling_of(headword), {}};
+    DictionaryEntry entry{spelling_of(headword), {}};
     if (entry.spelling.empty()) fail(number, "there is no spelling");
     entry.phones.reserve(line.size() / 2);
     for (auto symbol = take_part(line); !symbol.empty(); symbol = take_part(line)) {
@@ -110,15 +105,17 @@ std::vector<Entry> parse(std::string_view text, const std::string& file) {
 
 }  // namespace
 
-Dictionary::Dictionary(const std::filesystem::path& file) {
-  auto entries = parse(read_file(file), file.string());
-  std::vector<Entry*> order;  // moving pointers about is quicker than moving entries
+Dictionary::Dictionary(const std::filesystem::path& file)
+    : Dictionary{parse(read_file(file), file.string())} {}
+
+Dictionary::Dictionary(std::vector<DictionaryEntry> entries) {
+  std::vector<DictionaryEntry*> order;  // moving pointers about is quicker than moving entries
   order.reserve(entries.size());
   for (auto& entry : entries) order.push_back(&entry);
   std::ranges::stable_sort(
-      order, {}, [](const Entry* entry) -> const std::string& { return entry->spelling; });
+      order, {}, [](const DictionaryEntry* entry) -> const std::string& { return entry->spelling; });
   pronunciations_.reserve(entries.size());
-  for (Entry* entry : order) {
+  for (DictionaryEntry* entry : order) {
     if (spellings_.empty() || spellings_.back() != entry->spelling) {
       spellings_.push_back(std::move(entry->spelling));
       begins_.push_back(pronunciations_.size());

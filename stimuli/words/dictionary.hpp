@@ -12,6 +12,12 @@
 
 namespace bimodal {
 
+/// One pronunciation of a spelling.
+struct DictionaryEntry {
+  std::string spelling;  ///< lower case
+  Pronunciation phones;
+};
+
 /// Spellings and how they are said: the CMU Pronouncing Dictionary as pocketsphinx-en-us installs
 /// it.
 class Dictionary {
@@ -19,6 +25,9 @@ class Dictionary {
   /// Reads a dictionary in CMU format ("stew S T UW", "read(2) R IY D"). Throws Error, naming file
   /// and line.
   explicit Dictionary(const std::filesystem::path& file);
+
+  /// Of these entries, in any order; of several of one spelling the most common first.
+  explicit Dictionary(std::vector<DictionaryEntry> entries);
 
   /// $BIMODAL_DICTIONARY, or where Debian's pocketsphinx-en-us puts it. Throws Error saying what to
   /// install if it is not there.

@@ -134,6 +134,20 @@ TEST(ExportedMatrix, SaysWhatAReaderMustKnow) {
   EXPECT_EQ(ExportedMatrix("\xff.csv", {}, sample(), LabelOrder::Given).title, ".csv");
 }
 
+TEST(ExportedMatrix, SaysWhichTrialsWereCounted) {
+  auto made = exported(sample());
+  made.provenance = {.program = "p 1",
+                     .stored_trials = 50,
+                     .analysed_trials = 45,
+                     .exclusions = {{"practice trial", 5}}};
+  EXPECT_THAT(matrix_praat(made),
+              HasSubstr("! data: Trials: 50 in the data, 45 analysed; left out: 5 x practice "
+                        "trial.\n! warning"));
+  EXPECT_THAT(matrix_markdown(made), HasSubstr("left out: 5 x practice trial. Warning"));
+  EXPECT_EQ(nlohmann::json::parse(matrix_json(made))["data"]["analysed_trials"], 45);
+  for (const auto& form : forms_of(made)) expect_same(parse_matrix(form, "m"), made.matrix);
+}
+
 TEST(ExportedMatrix, HasRowProportionsInATableOfTheirOwn) {
   const auto table = matrix_table_csv(exported(sample()), CellContent::RowProportions, true);
   EXPECT_THAT(table, AllOf(HasSubstr("# cells: row proportions\n"), HasSubstr("\n\"p\",0.125,")));
