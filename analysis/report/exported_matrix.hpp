@@ -40,8 +40,8 @@ enum class CellContent { Counts, RowProportions };
 /// CSV with a line for each cell, empty ones too: stimulus, response, count, row_total, proportion.
 [[nodiscard]] std::string matrix_list_csv(const ExportedMatrix& exported, bool header);
 
-/// One object: title, orientation, order, n, warnings, data (where they came from), stimuli, row_totals, responses,
-/// counts and row_proportions (null in rows without responses).
+/// One object: title, orientation, order, n, warnings, data (where they came from), stimuli,
+/// row_totals, responses, counts and row_proportions (null in rows without responses).
 [[nodiscard]] std::string matrix_json(const ExportedMatrix& exported);
 
 /// A text file of Praat, which opens it as an object of class Confusion (Boersma & Weenink, Praat
