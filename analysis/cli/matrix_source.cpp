@@ -1,6 +1,9 @@
 #include "analysis/cli/matrix_source.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,8 +17,12 @@ namespace bimodal::analysis {
 
 namespace {
 
-bool is_csv(const std::filesystem::path& file) {
-  return lower_case(file.extension().string()) == ".csv";
+constexpr std::array<std::string_view, 7> kMatrixEndings{
+    ".csv", ".json", ".confusion", ".contingencytable", ".tableofreal", ".praat", ".txt"};
+
+bool has_matrix_ending(const std::filesystem::path& file) {
+  const auto ending = lower_case(file.extension().string());
+  return std::ranges::find(kMatrixEndings, ending) != kMatrixEndings.end();
 }
 
 const UnitConfusions& find_table(const Results& results, const MatrixChoice& choice) {
@@ -33,11 +40,11 @@ const UnitConfusions& find_table(const Results& results, const MatrixChoice& cho
                           fmt::join(names, ", "))};
 }
 
-/// Options that a matrix as CSV leaves nothing to choose by.
+/// Options that a matrix of counts leaves nothing to choose by.
 void require_no_choice(const MatrixChoice& choice) {
   if (choice.analysis.data.size() > 1) {
     throw Error{
-        "choosing a confusion matrix: several files, one of them CSV; name one CSV file, or "
+        "choosing a confusion matrix: several files, one of them a matrix; name one matrix, or "
         "data files of sessions only"};
   }
   const auto& selection = choice.analysis.selection;
@@ -58,8 +65,8 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
   add_analysis_options(verb, choice.analysis);
   verb.get_option("DATA")->description(
       "Data files written by bimodal run or bimodal rehearse, trials as CSV, or one confusion "
-      "matrix as CSV: first "
-      "column stimulus, then one column of counts per response");
+      "matrix: as CSV (first column stimulus, then one column of counts per response; or "
+      "stimulus,response,count), as JSON, or as a Confusion of Praat");
   verb.add_option("--unit", choice.unit, "Which phones of the words; needed of sessions")
       ->check(CLI::IsMember({"consonant-initial", "vowel", "consonant-final"}));
   verb.add_option(
@@ -68,7 +75,7 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
 
 bool is_matrix_file(const MatrixChoice& choice) {
   const auto is_matrix = [&](const std::filesystem::path& file) {
-    return is_csv(file) && !is_trial_file(file, choice.analysis);
+    return has_matrix_ending(file) && !is_trial_file(file, choice.analysis);
   };
   const bool any = std::ranges::any_of(choice.analysis.data, is_matrix);
   if (any) require_no_choice(choice);
@@ -101,8 +108,10 @@ std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console cons
   ChosenMatrix chosen;
   if (is_matrix_file(choice)) {
     const auto& file = choice.analysis.data.front();
-    chosen.title = file.string();
-    chosen.matrix = read_matrix(file);
+    auto read = read_titled_matrix(file);
+    chosen.title = read.title.empty() ? file.string() : std::move(read.title);
+    chosen.warnings = std::move(read.warnings);
+    chosen.matrix = std::move(read.matrix);
     chosen.provenance = {.program = program_name(),
                          .files = {{file.string(), sha256_of_file(file)}}};
   } else {

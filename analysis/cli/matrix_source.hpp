@@ -10,7 +10,7 @@
 
 namespace bimodal::analysis {
 
-/// Which confusion matrix a verb is about: that of a CSV file, or of a unit and a condition of
+/// Which confusion matrix a verb is about: that of a file, or of a unit and a condition of
 /// stored sessions.
 struct MatrixChoice {
   AnalysisRequest analysis;
@@ -23,14 +23,15 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice);
 
 /// A matrix, and what must be known of it.
 struct ChosenMatrix {
-  std::string title;  ///< "m.csv"; "Vowels, condition visual"
+  std::string title;  ///< what the file says it is, or "m.csv"; "Vowels, condition visual"
   ConfusionMatrix matrix;
   std::size_t participants = 0;  ///< whose responses are in it; 0: not known
   Provenance provenance;
   std::vector<std::string> warnings;
 };
 
-/// Whether DATA is a matrix as CSV (by its name's ending).
+/// Whether DATA is a matrix of counts (by its name's ending): .csv, .json, or a text file of Praat
+/// (.Confusion, .ContingencyTable, .TableOfReal, .praat, .txt).
 [[nodiscard]] bool is_matrix_file(const MatrixChoice& choice);
 
 /// Of trials; `chosen` gets everything but title and matrix. Absent, and said why on `console.err`,

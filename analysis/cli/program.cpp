@@ -19,6 +19,7 @@ constexpr const char* kExamples = R"(Examples:
   bimodal-analysis report P01.sqlite P02.sqlite -o report --exclude-flagged
   bimodal-analysis matrix session.sqlite --unit vowel --condition visual
   bimodal-analysis information m.csv --features f.csv
+  bimodal-analysis export m.csv --format praat -o m.Confusion
   bimodal-analysis matrix --help
 
 Exit codes: 0 done, 1 nothing to analyse, 2 wrong usage, 3 invalid input,
@@ -39,6 +40,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Console console) 
   add_cluster_verb(program, chosen);
   add_mds_verb(program, chosen);
   add_proportions_verb(program, chosen);
+  add_export_verb(program, chosen);
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
     program.parse(std::move(reversed));

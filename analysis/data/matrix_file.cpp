@@ -1,84 +1,54 @@
 #include "analysis/data/matrix_file.hpp"
 
-#include <cstdint>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <fmt/format.h>
-
-#include "stimuli/base/csv_reader.hpp"
+#include "analysis/data/matrix_forms.hpp"
 #include "stimuli/base/digest.hpp"
-#include "stimuli/base/utf8.hpp"
+#include "stimuli/labels/text_encoding.hpp"
 
 namespace bimodal::analysis {
 
 namespace {
 
-/// Labels of one axis, each once.
-class Axis {
- public:
-  Axis(const CsvReader& csv, std::string_view what) : csv_{csv}, what_{what} {}
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-  void add(std::string label) {
-    if (label.empty()) {
-      csv_.refuse(fmt::format("a {} has no label", what_), "name every row and column");
-    }
-    if (!known_.insert(label).second) {
-      csv_.refuse(fmt::format("the {} \"{}\" occurs twice", what_, label),
-                  "add the counts of the two, or give them different labels");
-    }
-    labels.push_back(std::move(label));
-  }
+bool is_utf16(std::string_view text) {
+  return text.starts_with("\xfe\xff") || text.starts_with("\xff\xfe");
+}
 
-  std::vector<std::string> labels;
+std::string_view without_mark(std::string_view text) {
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
 
- private:
-  const CsvReader& csv_;
-  std::string_view what_;
-  std::set<std::string> known_;
-};
+bool is_praat(std::string_view text) {
+  return text.starts_with("File type");
+}
+
+bool is_json(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '{';
+}
 
 }  // namespace
 
-ConfusionMatrix parse_matrix(std::string_view text, std::string_view file) {
-  constexpr std::string_view kForm =
-      "begin with a line like stimulus,p,b,m and let one line per stimulus follow, like p,20,3,1";
-  CsvReader csv{text, file};
-  if (!is_utf8(text)) csv.refuse("the file is not UTF-8 text", "save it as CSV, UTF-8");
-  const auto header = csv.next();
-  if (!header) csv.refuse("there is no confusion matrix: the file is empty", kForm);
-  if (header->size() < 2) csv.refuse("there are no responses in the first line", kForm);
-  Axis responses{csv, "response"};
-  for (std::size_t i = 1; i < header->size(); ++i) responses.add(header->at(i));
-  Axis stimuli{csv, "stimulus"};
-  std::vector<double> counts;
-  while (auto fields = csv.next()) {
-    if (fields->size() != header->size()) {
-      csv.refuse(
-          fmt::format("{} fields, but the first line has {}", fields->size(), header->size()),
-          "write a count for every response, 0 where there was none");
-    }
-    stimuli.add(std::move(fields->front()));
-    for (std::size_t i = 1; i < fields->size(); ++i) {
-      const auto count = csv_count(fields->at(i));
-      if (!count) {
-        csv.refuse(fmt::format("\"{}\", the response \"{}\" to \"{}\", is no count",
-                               fields->at(i),
-                               header->at(i),
-                               stimuli.labels.back()),
-                   "write how often it was given: a whole number from 0 on (no proportions)");
-      }
-      counts.push_back(static_cast<double>(*count));
-    }
+TitledMatrix parse_titled_matrix(std::string_view text, std::string_view file) {
+  const auto begin = without_mark(text);
+  if (is_praat(begin)) return parse_praat_matrix(decode_text(text, file), file);
+  if (is_utf16(text)) {
+    const auto decoded = decode_text(text, file);
+    if (is_praat(decoded)) return parse_praat_matrix(decoded, file);
   }
-  if (stimuli.labels.empty()) csv.refuse("there are no stimuli after the first line", kForm);
-  return {std::move(stimuli.labels), std::move(responses.labels), std::move(counts)};
+  return is_json(begin) ? parse_json_matrix(text, file) : parse_csv_matrix(text, file);
+}
+
+ConfusionMatrix parse_matrix(std::string_view text, std::string_view file) {
+  return parse_titled_matrix(text, file).matrix;
+}
+
+TitledMatrix read_titled_matrix(const std::filesystem::path& file) {
+  return parse_titled_matrix(read_file(file), file.string());
 }
 
 ConfusionMatrix read_matrix(const std::filesystem::path& file) {
-  return parse_matrix(read_file(file), file.string());
+  return read_titled_matrix(file).matrix;
 }
 
 }  // namespace bimodal::analysis

@@ -264,6 +264,7 @@ bool is_trial_table(std::string_view text) {
   try {
     const auto header = CsvReader{text, "", delimiter_of(text)}.next();
     return header && place_unmapped(*header, "stimulus") && place_in(*header, "response") &&
+           !place_in(*header, "count") &&  // of a confusion matrix, as a list
            (place_in(*header, "participant") || place_in(*header, "condition") ||
             place_in(*header, "trial") || header->size() == 2);
   } catch (const Error&) {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/report/csv.hpp"
+#include "analysis/report/exported_matrix.hpp"
 
 namespace bimodal::analysis {
 
@@ -25,17 +25,7 @@ std::vector<std::size_t> columns_with_responses(const ConfusionMatrix& matrix) {
 }  // namespace
 
 std::string matrix_csv(const ConfusionMatrix& matrix) {
-  std::string table;
-  std::vector<CsvField> line{std::string_view{"stimulus"}};
-  for (const auto& response : matrix.responses()) line.emplace_back(std::string_view{response});
-  append_csv(table, line);
-  for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
-    line.assign({std::string_view{matrix.stimuli()[i]}});
-    for (std::size_t j = 0; j < matrix.responses().size(); ++j)
-      line.emplace_back(matrix.count(i, j));
-    append_csv(table, line);
-  }
-  return table;
+  return matrix_table_csv({"", {}, matrix, LabelOrder::Given}, CellContent::Counts, false);
 }
 
 std::string matrix_text(const UnitConfusions& confusions) {

@@ -38,6 +38,18 @@ CsvReader::CsvReader(std::string_view text, std::string_view file, char delimite
   if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
 }
 
+std::vector<std::string> CsvReader::take_remarks() {
+  constexpr std::string_view kMark = "# ";
+  std::vector<std::string> remarks;
+  while (text_.substr(at_).starts_with(kMark)) {
+    const auto begin = at_ + kMark.size();
+    while (at_ < text_.size() && !at_end_of_line()) ++at_;
+    remarks.emplace_back(text_.substr(begin, at_ - begin));
+    if (at_ < text_.size()) step();
+  }
+  return remarks;
+}
+
 std::optional<std::vector<std::string>> CsvReader::next() {
   while (at_ < text_.size() && at_end_of_line()) step();
   line_ = reached_line_;

@@ -18,6 +18,11 @@ class CsvReader {
   /// semicolons.
   CsvReader(std::string_view text, std::string_view file, char delimiter = ',');
 
+  /// Takes the lines off that begin with "# " before the first record, and gives them without that
+  /// mark: what a program says of the table that follows. A field that begins so is in quotation
+  /// marks, or not in the first line.
+  [[nodiscard]] std::vector<std::string> take_remarks();
+
   /// The fields of the next line that is not empty; absent after the last one.
   [[nodiscard]] std::optional<std::vector<std::string>> next();
 

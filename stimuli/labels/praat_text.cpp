@@ -1,6 +1,7 @@
 #include "stimuli/labels/praat_text.hpp"
 
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -114,6 +115,19 @@ std::size_t PraatText::take_count(std::string_view what) {
            "write a whole number from 0, or save it again from Praat");
   }
   return count;
+}
+
+double PraatText::take_number(std::string_view what) {
+  expect(Kind::Number, what);
+  const auto word = take_word();
+  double number = 0.0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error != std::errc{} || stop != word.data() + word.size() || !std::isfinite(number)) {
+    refuse(line(),
+           fmt::format("{} is not {}", in_quotes(word), what),
+           "write a number with a decimal point, or save it again from Praat");
+  }
+  return number;
 }
 
 std::string PraatText::take_flag(std::string_view what) {

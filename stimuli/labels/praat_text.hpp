@@ -24,6 +24,8 @@ class PraatText {
   [[nodiscard]] std::string take_string(std::string_view what);
   [[nodiscard]] Duration take_seconds(std::string_view what);
   [[nodiscard]] std::size_t take_count(std::string_view what);
+  /// Any finite number.
+  [[nodiscard]] double take_number(std::string_view what);
   /// What stands between "<" and ">".
   [[nodiscard]] std::string take_flag(std::string_view what);
 

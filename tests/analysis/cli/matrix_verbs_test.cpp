@@ -61,7 +61,7 @@ TEST_F(MatrixVerbs, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(few.code, ExitCode::InvalidInput);
   EXPECT_THAT(few.err, HasSubstr("no line for the stimulus \"b\""));
   EXPECT_THAT(run({"information", matrix, "--unit", "vowel"}).err, HasSubstr("leave out --unit"));
-  EXPECT_THAT(run({"information", matrix, matrix}).err, HasSubstr("name one CSV file"));
+  EXPECT_THAT(run({"information", matrix, matrix}).err, HasSubstr("name one matrix"));
   EXPECT_EQ(run({"information", matrix, "--json", "--csv"}).code, ExitCode::Usage);
   const auto empty = run({"information", file("e.csv", "s,p\np,0\n")});
   EXPECT_EQ(empty.code, ExitCode::Findings);
