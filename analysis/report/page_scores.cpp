@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "analysis/report/figures.hpp"
 #include "analysis/report/matrix_text.hpp"
 #include "analysis/report/page_parts.hpp"
+#include "analysis/report/report_figures.hpp"
 #include "stimuli/base/markup.hpp"
 
 namespace bimodal::analysis {
@@ -142,7 +142,7 @@ std::string part_of_words(const Results& results) {
       "<p class='note'>Each trial is in one of the last five columns. Correct words are the "
       "first "
       "two of them.</p>\n",
-      figure_of_words(results),
+      figure_of_words(results, PaperWidth::TwoColumns),
       rows_of_answers(results));
 }
 
@@ -174,8 +174,7 @@ std::string part_of_confusions(const Results& results) {
       "one scale for all matrices, numbers above .005; <i>n</i> is the number of presentations "
       "whose alignment is unambiguous (slanted and orange below 10). <i>deleted</i>: nothing of "
       "the answer stands in this place; "
-      "<i>blank</i>: no answer; <i>other</i>: the answer is not in the dictionary.</p>\n" +
-      figure_of_scale();
+      "<i>blank</i>: no answer; <i>other</i>: the answer is not in the dictionary.</p>\n";
   int number = 1;
   const Unit* last = nullptr;
   for (const auto& table : results.confusions) {
@@ -187,7 +186,7 @@ std::string part_of_confusions(const Results& results) {
     part += fmt::format(
         "<figure>{}<figcaption><b>Figure {}. {}, condition {}.</b> {} Left out as ambiguous: {}. "
         "Words without such a phone: {}.</figcaption></figure>\n",
-        figure_of_confusions(table),
+        figure_of_confusions(table, PaperWidth::TwoColumns),
         ++number,
         title(table.unit),
         escaped(table.condition),

@@ -144,9 +144,10 @@ TEST(ReportPage, IsWholeWithoutAnythingElse) {
     EXPECT_THAT(page, Not(HasSubstr(fetched)));
   }
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(page, '\0')), 0U);
+  EXPECT_THAT(page, HasSubstr("aria-label='Confusion matrix: Vowels, condition auditory. 2 "));
   std::size_t matrices = 0;
-  for (auto at = page.find("<svg class='matrix'"); at != std::string::npos;
-       at = page.find("<svg class='matrix'", at + 1)) {
+  for (auto at = page.find("<title>Confusion matrix"); at != std::string::npos;
+       at = page.find("<title>Confusion matrix", at + 1)) {
     ++matrices;
   }
   EXPECT_EQ(matrices, kUnits.size() * results.conditions.size());
