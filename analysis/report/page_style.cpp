@@ -36,6 +36,9 @@ figure { margin: 16px 0 26px; break-inside: avoid; }
 figcaption { font-size: 14px; max-width: 78ch; }
 figcaption b { color: var(--deep); }
 svg { display: block; max-width: 100%; height: auto; }
+.side { display: flex; flex-wrap: wrap; gap: 3mm; align-items: flex-start; }
+@media screen { figure > svg { width: 100%; max-width: 860px; }
+  .side > svg { flex: 1 1 320px; min-width: 0; } }
 .trial { display: flex; flex-wrap: wrap; gap: 24px; align-items: flex-start; }
 .trial figure { margin: 8px 0; }
 .trial img { display: block; max-width: 460px; width: 100%; height: auto;

@@ -6,6 +6,7 @@
 
 #include "analysis/report/figures/svg.hpp"
 #include "analysis/report/results.hpp"
+#include "analysis/report/structure_table.hpp"
 
 namespace bimodal::analysis {
 
@@ -15,6 +16,20 @@ namespace bimodal::analysis {
 
 /// A confusion matrix by place of articulation.
 [[nodiscard]] std::string figure_of_confusions(const UnitConfusions& confusions, PaperWidth width);
+
+/// What the classes of the report keep at least of the responses to their members.
+inline constexpr double kKeptByClasses = 0.75;
+
+/// Whether so many phones were presented (three) that it can be told which are alike.
+[[nodiscard]] bool has_structure(const UnitConfusions& confusions);
+
+/// Classes by average linkage of dissimilarities by phi, and the layout by these.
+[[nodiscard]] ClusterTable clusters_of(const UnitConfusions& confusions);
+[[nodiscard]] LayoutTable layout_of(const UnitConfusions& confusions);
+
+/// The same, drawn.
+[[nodiscard]] std::string figure_of_clusters(const UnitConfusions& confusions, PaperWidth width);
+[[nodiscard]] std::string figure_of_layout(const UnitConfusions& confusions, PaperWidth width);
 
 /// One of the report's figures, to be drawn at any width; borrows the results.
 struct ReportFigure {

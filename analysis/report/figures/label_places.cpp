@@ -94,8 +94,11 @@ std::vector<Box> place_labels(std::span<const PlotPoint> points,
 std::vector<PlotPoint> convex_hull(std::vector<PlotPoint> points) {
   const auto place = [](const PlotPoint& point) { return std::pair{point.x, point.y}; };
   std::ranges::sort(points, {}, place);
-  const auto same = std::ranges::unique(points, {}, place);
-  points.erase(same.begin(), same.end());
+  const auto end =
+      std::unique(points.begin(), points.end(), [&](const PlotPoint& one, const PlotPoint& other) {
+        return place(one) == place(other);
+      });
+  points.erase(end, points.end());
   if (points.size() < 3) return points;
   auto hull = half_hull(points);
   std::ranges::reverse(points);

@@ -50,10 +50,11 @@ MatrixAxes arrange(const ConfusionMatrix& matrix, const Arrangement& arrangement
   MatrixAxes axes;
   axes.rows = in_order(matrix.stimuli(), arrangement.order);
   axes.columns = in_order(matrix.responses(), arrangement.order);
-  const auto extras = std::ranges::stable_partition(axes.columns, [&](std::size_t column) {
-    return !is_extra(matrix.responses()[column], matrix);
-  });
-  axes.extras = extras.size();
+  const auto extras =
+      std::stable_partition(axes.columns.begin(), axes.columns.end(), [&](std::size_t column) {
+        return !is_extra(matrix.responses()[column], matrix);
+      });
+  axes.extras = static_cast<std::size_t>(axes.columns.end() - extras);
   axes.row_borders = borders(axes.rows, matrix.stimuli(), arrangement);
   axes.column_borders = borders(axes.columns, matrix.responses(), arrangement);
   return axes;
