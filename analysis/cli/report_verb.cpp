@@ -10,6 +10,7 @@
 #include "analysis/report/attachment.hpp"
 #include "analysis/report/figure_files.hpp"
 #include "analysis/report/page.hpp"
+#include "analysis/report/print/report_pdf.hpp"
 #include "analysis/report/tables.hpp"
 #include "stimuli/base/draft.hpp"
 #include "stimuli/base/error.hpp"
@@ -32,8 +33,8 @@ constexpr const char* kExamples = R"(Examples:
   bimodal-analysis report s.sqlite -o report \
       --attach-picture 'trial.png:Trial 12, mid-word' --attach-sound 'trial.wav:Trial 12'
 
-Writes report.html (one file, no network needed), trials.csv, words.csv,
-proportions.csv, confusions.csv, likeness.csv, exclusions.csv, columns.csv (what every
+Writes report.html (one file, no network needed), the same as report.pdf, every figure
+as SVG and PDF in figures/ (85 and 174 mm wide), trials.csv, words.csv, proportions.csv, confusions.csv, likeness.csv, exclusions.csv, columns.csv (what every
 column means) and manifest.json into the folder; prints the page's path last.)";
 
 std::string selection_in_words(const Selection& selection) {
@@ -88,11 +89,13 @@ ExitCode make_report(const ReportRequest& request, Console console) {
   for (const auto& file : report_tables(results, making)) {
     write_file(request.folder / file.name, file.content);
   }
-  for (const auto& file : figure_files(results)) {
+  for (const auto& file : figure_files(results, making)) {
     write_file(request.folder / file.name, file.content);
   }
   const auto page = request.folder / "report.html";
-  write_file(page, report_page(results, attachments, making));
+  const auto content = report_page(results, attachments, making);
+  write_file(page, content);
+  write_file(request.folder / "report.pdf", report_pdf(content, making.made_utc));
   for (const auto& warning : results.warnings) console.err << "warning: " << warning << '\n';
   console.out << page.string() << std::endl;
   return ExitCode::Done;

@@ -1,52 +1,24 @@
 #include "analysis/report/figure_files.hpp"
 
-#include <algorithm>
-#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "analysis/report/figures.hpp"
-#include "analysis/report/page_parts.hpp"
+#include "analysis/report/print/figure_pdf.hpp"
+#include "analysis/report/report_figures.hpp"
 
 namespace bimodal::analysis {
 
-namespace {
-
-/// An SVG element of the page with its own name space and style, on white.
-std::string standing_alone(std::string element) {
-  constexpr std::string_view kOpening = "<svg ";
-  element.insert(kOpening.size(), "xmlns='http://www.w3.org/2000/svg' ");
-  element.insert(
-      element.find('>') + 1,
-      fmt::format("\n<style>{}\nsvg {{ font-family: sans-serif; background: #fff; }}</style>"
-                  "\n<rect width='100%' height='100%' fill='#fff'/>",
-                  page_style()));
-  return element;
-}
-
-/// Conditions are free text; file names are not.
-std::string as_file_name(std::string text) {
-  std::ranges::replace_if(
-      text,
-      [](char letter) {
-        const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-                           (letter >= '0' && letter <= '9') || letter == '-' || letter == '_';
-        return !plain;
-      },
-      '_');
-  return text;
-}
-
-}  // namespace
-
-std::vector<ReportFile> figure_files(const Results& results) {
-  std::vector<ReportFile> files{
-      {.name = "figures/words.svg", .content = standing_alone(figure_of_words(results))}};
-  for (const auto& confusions : results.confusions) {
-    files.push_back(
-        {.name = fmt::format(
-             "figures/{}-{}.svg", name(confusions.unit), as_file_name(confusions.condition)),
-         .content = standing_alone(figure_of_confusions(confusions))});
+std::vector<ReportFile> figure_files(const Results& results, const Making& making) {
+  std::vector<ReportFile> files;
+  for (const auto& figure : report_figures(results)) {
+    for (const auto width : {PaperWidth::OneColumn, PaperWidth::TwoColumns}) {
+      const auto name = fmt::format("figures/{}-{:g}mm", figure.name, millimetres(width));
+      auto svg = standing_alone(figure.draw(width));
+      auto pdf = figure_pdf(svg, making.made_utc);
+      files.push_back({.name = name + ".svg", .content = std::move(svg)});
+      files.push_back({.name = name + ".pdf", .content = std::move(pdf)});
+    }
   }
   return files;
 }

@@ -45,12 +45,14 @@ std::string report_page(const Results& results,
       title,
       page_style(),
       title);
+  FigureNumbers numbers;
   page += lead(results, making);
   page += part_of_warnings(results);
-  page += part_of_words(results);
+  page += part_of_words(results, numbers);
   page += part_of_proportions(results);
   page += part_of_attachments(attachments);
-  page += part_of_confusions(results);
+  page += part_of_confusions(results, numbers);
+  page += part_of_structure(results, numbers);
   page += part_of_likeness(results);
   page += part_of_data(results);
   page += part_of_methods(results);

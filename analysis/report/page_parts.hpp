@@ -9,13 +9,23 @@
 
 namespace bimodal::analysis {
 
+/// Numbers the page's figures in their order.
+class FigureNumbers {
+ public:
+  [[nodiscard]] int next() { return ++last_; }
+
+ private:
+  int last_ = 0;
+};
+
 /// The parts of the report's page, each an HTML fragment.
 
 [[nodiscard]] std::string_view page_style();
 [[nodiscard]] std::string part_of_warnings(const Results& results);
-[[nodiscard]] std::string part_of_words(const Results& results);
+[[nodiscard]] std::string part_of_words(const Results& results, FigureNumbers& numbers);
 [[nodiscard]] std::string part_of_proportions(const Results& results);
-[[nodiscard]] std::string part_of_confusions(const Results& results);
+[[nodiscard]] std::string part_of_confusions(const Results& results, FigureNumbers& numbers);
+[[nodiscard]] std::string part_of_structure(const Results& results, FigureNumbers& numbers);
 [[nodiscard]] std::string part_of_likeness(const Results& results);
 [[nodiscard]] std::string part_of_attachments(std::span<const Attachment> attachments);
 [[nodiscard]] std::string part_of_data(const Results& results);

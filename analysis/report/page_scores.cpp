@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "analysis/report/figures.hpp"
 #include "analysis/report/matrix_text.hpp"
 #include "analysis/report/page_parts.hpp"
+#include "analysis/report/report_figures.hpp"
 #include "stimuli/base/markup.hpp"
 
 namespace bimodal::analysis {
@@ -129,9 +129,9 @@ std::string print_estimate(const Proportion& proportion) {
   return text;
 }
 
-std::string part_of_words(const Results& results) {
+std::string part_of_words(const Results& results, FigureNumbers& numbers) {
   return fmt::format(
-      "<h2 id='words'>Words correct</h2>\n<figure>{}<figcaption><b>Figure 1.</b> Proportion of "
+      "<h2 id='words'>Words correct</h2>\n<figure>{}<figcaption><b>Figure {}.</b> Proportion of "
       "words identified correctly. Bar and number: all trials of the condition pooled, with its "
       "95 % interval (methods in the table of proportions); dots: participants.</figcaption>"
       "</figure>\n<h3>What was answered</h3>\n<table><thead><tr><th>Condition</th>"
@@ -142,7 +142,8 @@ std::string part_of_words(const Results& results) {
       "<p class='note'>Each trial is in one of the last five columns. Correct words are the "
       "first "
       "two of them.</p>\n",
-      figure_of_words(results),
+      figure_of_words(results, PaperWidth::TwoColumns),
+      numbers.next(),
       rows_of_answers(results));
 }
 
@@ -165,7 +166,7 @@ std::string part_of_proportions(const Results& results) {
              "bootstrap over words, because the phones of one word are not independent");
 }
 
-std::string part_of_confusions(const Results& results) {
+std::string part_of_confusions(const Results& results, FigureNumbers& numbers) {
   std::string part =
       "<h2 id='confusions'>Confusions</h2>\n<p>Rows are the phones presented, columns those "
       "answered; both in order of place of articulation, front to back (vowels: front to back, "
@@ -174,9 +175,7 @@ std::string part_of_confusions(const Results& results) {
       "one scale for all matrices, numbers above .005; <i>n</i> is the number of presentations "
       "whose alignment is unambiguous (slanted and orange below 10). <i>deleted</i>: nothing of "
       "the answer stands in this place; "
-      "<i>blank</i>: no answer; <i>other</i>: the answer is not in the dictionary.</p>\n" +
-      figure_of_scale();
-  int number = 1;
+      "<i>blank</i>: no answer; <i>other</i>: the answer is not in the dictionary.</p>\n";
   const Unit* last = nullptr;
   for (const auto& table : results.confusions) {
     if (last == nullptr || *last != table.unit) {
@@ -187,8 +186,8 @@ std::string part_of_confusions(const Results& results) {
     part += fmt::format(
         "<figure>{}<figcaption><b>Figure {}. {}, condition {}.</b> {} Left out as ambiguous: {}. "
         "Words without such a phone: {}.</figcaption></figure>\n",
-        figure_of_confusions(table),
-        ++number,
+        figure_of_confusions(table, PaperWidth::TwoColumns),
+        numbers.next(),
         title(table.unit),
         escaped(table.condition),
         total == 0 ? std::string{"No responses."}

@@ -35,25 +35,10 @@ tbody tr.first td { border-top: 1px solid var(--rule); }
 figure { margin: 16px 0 26px; break-inside: avoid; }
 figcaption { font-size: 14px; max-width: 78ch; }
 figcaption b { color: var(--deep); }
-svg { display: block; max-width: 100%; height: auto; font-family: inherit; }
-svg text { fill: var(--ink); }
-.matrix .label { font-size: 12px; font-weight: 600; }
-.matrix .extra { font-size: 11px; }
-.matrix .cell { font-size: 10.5px; }
-.matrix text.cell[fill='#fff'] { fill: #fff; }
-.matrix .count { font-size: 11px; }
-.matrix .few { font-size: 11px; fill: #b35806; font-style: italic; }
-.axis { font-size: 12px; fill: var(--soft); }
-.tick { font-size: 12px; fill: var(--soft); }
-.frame { fill: none; stroke: #7c8894; stroke-width: 1; }
-.place { stroke: #b4bec8; stroke-width: 1; }
-.diagonal { fill: none; stroke: #9aa7b4; stroke-width: .6; }
-.grid { stroke: #e1e6ea; stroke-width: 1; }
-.dot { fill: #6baed6; fill-opacity: .65; stroke: #2171b5; stroke-width: .6; }
-.interval { fill: none; stroke: #08306b; stroke-width: 1.6; }
-.mean { fill: none; stroke: #08306b; stroke-width: 4; }
-.value { font-size: 14px; font-weight: 600; }
-.condition { font-size: 14px; font-weight: 600; }
+svg { display: block; max-width: 100%; height: auto; }
+.side { display: flex; flex-wrap: wrap; gap: 3mm; align-items: flex-start; }
+@media screen { figure > svg { width: 100%; max-width: 860px; }
+  .side > svg { flex: 1 1 320px; min-width: 0; } }
 .trial { display: flex; flex-wrap: wrap; gap: 24px; align-items: flex-start; }
 .trial figure { margin: 8px 0; }
 .trial img { display: block; max-width: 460px; width: 100%; height: auto;

@@ -35,7 +35,10 @@ set(rules
   "runner/booth"        "\"(runner/(devices/(sdl|portaudio|wayland|x11|evdev|serial)|store/sqlite|cli)|synth)/|<(SDL|portaudio|libserialport|GL/|epoxy|sqlite3)"
   "analysis"            "\"(runner/(devices|session|preparation|booth|cli|realtime|timing)|synth)/|<(SDL|portaudio|sndfile|GL/|sqlite3)"
   "analysis/statistics" "\"analysis/(data|scoring|report|cli)/|<(nlohmann|iostream|fstream)"
-  "analysis/scoring"    "\"analysis/(report|cli)/")
+  "analysis/scoring"    "\"analysis/(report|cli)/"
+  "analysis/data"       "\"analysis/(scoring|report|cli)/|<(cairo|pango|librsvg|libxml|gdk)"
+  "analysis/cli"        "<(cairo|pango|librsvg|libxml|gdk)"
+  "analysis/report/figures" "\"analysis/(cli|report/print)/|<(cairo|pango|librsvg|libxml|gdk|nlohmann)")
 
 set(violations "")
 while(rules)

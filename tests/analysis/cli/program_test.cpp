@@ -82,6 +82,14 @@ TEST_F(Program, WritesTheReportAndPrintsItsPathLast) {
   EXPECT_THAT(page, HasSubstr(sha256_of_file(data[1])));
   EXPECT_THAT(page, HasSubstr("2 participants, 2 trials in 1 condition"));
   EXPECT_THAT(read_file(folder / "confusions.csv"), HasSubstr("\"B\",\"P\",1,2,0.5"));
+  EXPECT_TRUE(read_file(folder / "report.pdf").starts_with("%PDF"));
+  for (const auto* const figure : {"words", "vowel-auditory"}) {
+    for (const auto* const width : {"-85mm", "-174mm"}) {
+      const auto name = folder / "figures" / (std::string{figure} + width);
+      EXPECT_THAT(read_file(name.string() + ".svg"), HasSubstr("<text"));
+      EXPECT_TRUE(read_file(name.string() + ".pdf").starts_with("%PDF"));
+    }
+  }
 }
 
 TEST_F(Program, SaysWhyThereIsNothingToAnalyse) {

@@ -6,6 +6,7 @@
 
 #include "analysis/report/columns.hpp"
 #include "analysis/report/csv.hpp"
+#include "analysis/report/figure_files.hpp"
 #include "analysis/report/matrix_text.hpp"
 #include "analysis/report/page.hpp"
 #include "analysis/report/place_class.hpp"
@@ -144,9 +145,10 @@ TEST(ReportPage, IsWholeWithoutAnythingElse) {
     EXPECT_THAT(page, Not(HasSubstr(fetched)));
   }
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(page, '\0')), 0U);
+  EXPECT_THAT(page, HasSubstr("aria-label='Confusion matrix: Vowels, condition auditory. 2 "));
   std::size_t matrices = 0;
-  for (auto at = page.find("<svg class='matrix'"); at != std::string::npos;
-       at = page.find("<svg class='matrix'", at + 1)) {
+  for (auto at = page.find("<title>Confusion matrix"); at != std::string::npos;
+       at = page.find("<title>Confusion matrix", at + 1)) {
     ++matrices;
   }
   EXPECT_EQ(matrices, kUnits.size() * results.conditions.size());
@@ -176,6 +178,32 @@ TEST(ReportPage, ClosesEveryElement) {
   EXPECT_EQ(first_unbalanced("<a><b></a>"), "/a");
   const auto page = report_page(example_results(), {}, {});
   EXPECT_EQ(first_unbalanced(page), "");
+}
+
+TEST(ReportPage, ShowsWhichPhonesAreAlikeWhereThreeWerePresented) {
+  const auto page = report_page(example_results(), {}, {});
+  // Initial B, T and S; of those heard S is ambiguous. Two vowels, one final consonant.
+  EXPECT_THAT(page, HasSubstr("<title>Dendrogram: Initial consonants, condition visual &amp; "));
+  EXPECT_THAT(page, Not(HasSubstr("<title>Dendrogram: Initial consonants, condition auditory")));
+  EXPECT_THAT(page,
+              HasSubstr("<title>Layout: Initial consonants, condition visual &amp; &lt;only"));
+  EXPECT_THAT(page, Not(HasSubstr("<title>Layout: Vowels")));
+  EXPECT_THAT(page, HasSubstr("<b>Figure 8. Initial consonants, condition visual"));
+}
+
+TEST(FigureFiles, AreSvgAndPdfInBothWidthsUnderPlainNames) {
+  const auto files = figure_files(example_results(), {.made_utc = "2026-11-22T10:00:00Z"});
+  std::vector<std::string> names;
+  for (const auto& file : files) {
+    names.push_back(file.name);
+    const bool is_pdf = file.name.ends_with(".pdf");
+    EXPECT_TRUE(file.content.starts_with(is_pdf ? "%PDF" : "<svg xmlns=")) << file.name;
+  }
+  // Words, six matrices, a dendrogram and a layout.
+  EXPECT_EQ(names.size(), 9U * 4U);
+  EXPECT_THAT(names,
+              testing::Contains("figures/consonant-initial-visual____only_-layout-85mm.pdf"));
+  EXPECT_THAT(names, testing::Contains("figures/words-174mm.svg"));
 }
 
 TEST(ReportTables, HaveARowForEveryTrialAndSayWhatColumnsMean) {
