@@ -153,7 +153,7 @@ class Drawing {
         n < kFewPresentations ? "few" : "count",
         columns_.end + kRight - 8,
         middle,
-        n);
+        print_count(n));
   }
 
   void draw_cell(std::size_t row, std::size_t column, double middle) {
