@@ -7,29 +7,32 @@
 #include <vector>
 
 #include "analysis/data/trial.hpp"
+#include "analysis/scoring/label_pair.hpp"
 #include "analysis/scoring/score.hpp"
 #include "analysis/statistics/confusion_matrix.hpp"
 
 namespace bimodal::analysis {
-
-/// The last columns of every confusion matrix, which no stimulus has.
-inline constexpr std::string_view kDeleted =
-    "deleted";                                       ///< nothing of the answer stands against it
-inline constexpr std::string_view kBlank = "blank";  ///< there was no answer
-inline constexpr std::string_view kOther = "other";  ///< the answer is not in the dictionary
 
 /// Confusions of one unit in one condition.
 struct UnitConfusions {
   Unit unit = Unit::ConsonantInitial;
   std::string condition;
   ConfusionMatrix matrix;
-  std::int64_t ambiguous = 0;  ///< left out, because equally good alignments disagree
-  std::int64_t lacking = 0;    ///< trials whose word has no such unit
+  std::int64_t ambiguous = 0;       ///< stimuli left out, because equally good alignments disagree
+  std::int64_t lacking = 0;         ///< trials whose word has no such unit
+  std::int64_t without_phones = 0;  ///< of these, trials of which nobody knows how the word is said
 };
 
-/// Every unit in every condition, conditions within units. Matrices of a unit share their labels:
-/// the stimuli that occur in any condition; these and all responses, in the order of the Phone
-/// enumeration; then deleted, blank, other. `scores` belong to `trials` one by one.
+/// One unit in every condition. The matrices share their labels: the stimuli that occur in any
+/// condition; these and all responses; then deleted, blank, other (blank and other of clusters,
+/// blank of words). Labels are in the order of the Phone enumeration, clusters phone by phone,
+/// words by the alphabet. `scores` belong to `trials` one by one.
+[[nodiscard]] std::vector<UnitConfusions> tabulate_unit(std::span<const Trial> trials,
+                                                        std::span<const Score> scores,
+                                                        std::span<const std::string> conditions,
+                                                        Unit unit);
+
+/// Every unit of kPlaceUnits in every condition, conditions within units.
 [[nodiscard]] std::vector<UnitConfusions> tabulate_confusions(
     std::span<const Trial> trials,
     std::span<const Score> scores,

@@ -1,6 +1,7 @@
 #include "analysis/report/matrix_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -48,17 +49,20 @@ std::string matrix_text(const UnitConfusions& confusions) {
       const bool shown = share && *share > 0.0;
       text += fmt::format("{:>{}}", shown ? print_proportion(*share) : "", width(j));
     }
-    text += fmt::format("{:>8}\n", matrix.row_total(i));
+    text += fmt::format("{:>8}\n", print_count(matrix.row_total(i)));
   }
   const auto total = matrix.total();
   text += total == 0 ? std::string{"\nNo responses.\n"}
                      : fmt::format("\nCorrect: {} of {} ({:.1f} %).\n",
-                                   matrix.correct(),
-                                   total,
+                                   print_count(matrix.correct()),
+                                   print_count(total),
                                    100.0 * matrix.correct() / total);
-  text += fmt::format("Not in the table: ambiguous alignments {}, words without this unit {}.\n",
+  text += fmt::format("Not in the table: ambiguous alignments {}, words without this unit {}{}.\n",
                       confusions.ambiguous,
-                      confusions.lacking);
+                      confusions.lacking,
+                      confusions.without_phones == 0
+                          ? ""
+                          : fmt::format(" ({} of unknown phones)", confusions.without_phones));
   return text;
 }
 
@@ -66,6 +70,11 @@ std::string print_proportion(double proportion) {
   auto text = fmt::format("{:.2f}", proportion);
   if (text.starts_with("0.")) text.erase(0, 1);
   return text;
+}
+
+std::string print_count(double count) {
+  const bool whole = std::abs(count - std::round(count)) < 1e-6;
+  return fmt::format("{:.{}f}", count, whole ? 0 : 1);
 }
 
 }  // namespace bimodal::analysis

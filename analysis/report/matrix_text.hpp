@@ -17,4 +17,7 @@ namespace bimodal::analysis {
 /// A proportion as tables of this field print it: two decimals, no leading zero (".07", "1.00").
 [[nodiscard]] std::string print_proportion(double proportion);
 
+/// A number of responses: "86", or "86.5" where responses were shared out between cells.
+[[nodiscard]] std::string print_count(double count);
+
 }  // namespace bimodal::analysis

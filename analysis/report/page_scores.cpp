@@ -28,12 +28,19 @@ std::string title_of(Measure measure) {
   return {};
 }
 
+/// Only where a rule of tolerance accepts anything.
+bool shows_tolerated(const Results& results) {
+  return std::ranges::any_of(results.conditions,
+                             [](const ConditionSummary& one) { return one.tolerated > 0; });
+}
+
 std::string rows_of_answers(const Results& results) {
+  const bool tolerated = shows_tolerated(results);
   std::string rows;
   for (const auto& condition : results.conditions) {
     rows += fmt::format(
         "<tr><td><b>{}</b></td><td>{}</td><td class='number'>{}</td><td class='number'>{}</td>"
-        "<td class='number'>{}</td><td class='number'>{}</td><td class='number'>{}</td>"
+        "<td class='number'>{}</td><td class='number'>{}</td>{}<td class='number'>{}</td>"
         "<td class='number'>{}</td><td class='number'>{}</td></tr>\n",
         escaped(condition.name),
         escaped(condition.meaning),
@@ -41,6 +48,7 @@ std::string rows_of_answers(const Results& results) {
         condition.trials,
         condition.correct,
         condition.homophones,
+        tolerated ? fmt::format("<td class='number'>{}</td>", condition.tolerated) : "",
         condition.wrong,
         condition.unknown,
         condition.omissions);
@@ -130,21 +138,25 @@ std::string print_estimate(const Proportion& proportion) {
 }
 
 std::string part_of_words(const Results& results, FigureNumbers& numbers) {
+  const bool tolerated = shows_tolerated(results);
   return fmt::format(
       "<h2 id='words'>Words correct</h2>\n<figure>{}<figcaption><b>Figure {}.</b> Proportion of "
       "words identified correctly. Bar and number: all trials of the condition pooled, with its "
       "95 % interval (methods in the table of proportions); dots: participants.</figcaption>"
       "</figure>\n<h3>What was answered</h3>\n<table><thead><tr><th>Condition</th>"
       "<th>Presented</th><th class='number'>Participants</th><th class='number'>Trials</th>"
-      "<th class='number'>Correct</th><th class='number'>Homophone</th>"
+      "<th class='number'>Correct</th><th class='number'>Homophone</th>{}"
       "<th class='number'>Wrong word</th><th class='number'>Not in dictionary</th>"
       "<th class='number'>Blank</th></tr></thead>\n<tbody>{}</tbody></table>\n"
-      "<p class='note'>Each trial is in one of the last five columns. Correct words are the "
+      "<p class='note'>Each trial is in one of the last {} columns. Correct words are the "
       "first "
-      "two of them.</p>\n",
+      "{} of them.</p>\n",
       figure_of_words(results, PaperWidth::TwoColumns),
       numbers.next(),
-      rows_of_answers(results));
+      tolerated ? "<th class='number'>Tolerated</th>" : "",
+      rows_of_answers(results),
+      tolerated ? "six" : "five",
+      tolerated ? "three" : "two");
 }
 
 std::string part_of_proportions(const Results& results) {
@@ -193,8 +205,8 @@ std::string part_of_confusions(const Results& results, FigureNumbers& numbers) {
         total == 0 ? std::string{"No responses."}
                    : fmt::format("{:.1f}&#160;% correct ({} of {}, all columns counted).",
                                  100.0 * table.matrix.correct() / total,
-                                 table.matrix.correct(),
-                                 total),
+                                 print_count(table.matrix.correct()),
+                                 print_count(total)),
         table.ambiguous,
         table.lacking);
   }

@@ -53,7 +53,7 @@ std::vector<ConditionSummary> summarise_conditions(std::span<const Trial> trials
     summary.meaning = meaning(*first);
     std::set<std::string_view> participants;
     std::set<std::string_view> words;
-    std::array<std::int64_t, 5> verdicts{};
+    std::array<std::int64_t, kVerdictCount> verdicts{};
     for (std::size_t i = 0; i < trials.size(); ++i) {
       if (trials[i].condition != summary.name) continue;
       participants.insert(trials[i].participant);
@@ -63,9 +63,12 @@ std::vector<ConditionSummary> summarise_conditions(std::span<const Trial> trials
     }
     summary.participants = static_cast<std::int64_t>(participants.size());
     summary.words = static_cast<std::int64_t>(words.size());
-    std::tie(
-        summary.correct, summary.homophones, summary.wrong, summary.unknown, summary.omissions) =
-        std::tuple_cat(verdicts);
+    std::tie(summary.correct,
+             summary.homophones,
+             summary.tolerated,
+             summary.wrong,
+             summary.unknown,
+             summary.omissions) = std::tuple_cat(verdicts);
     conditions.push_back(std::move(summary));
   }
   return conditions;
@@ -140,6 +143,10 @@ void warn(Results& results) {
   if (results.dataset.trials.empty()) {
     results.warnings.emplace_back("There is no trial to analyse.");
   }
+  if (results.rules != ScoringRules{}) {
+    results.warnings.push_back("Answers are scored by rules of choice. " +
+                               describe_rules(results.rules));
+  }
   for (const auto& condition : results.conditions) {
     if (condition.participants == 1) {
       results.warnings.push_back(fmt::format(
@@ -173,10 +180,11 @@ Results analyse(Dataset dataset,
   Results results;
   results.dataset = std::move(dataset);
   results.dictionary = std::move(source);
+  results.rules = options.rules;
   results.bootstrap = options.bootstrap;
   const auto& trials = results.dataset.trials;
   options.progress(fmt::format("scoring {} answers", trials.size()));
-  results.scores = score_all(trials, dictionary);
+  results.scores = score_all(trials, dictionary, options.rules);
   for (const auto& criterion : options.criteria) exclude_below(criterion, results);
   results.participants = order_participants(results.dataset);
   results.conditions = summarise_conditions(trials, results.scores);

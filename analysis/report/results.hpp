@@ -21,6 +21,7 @@ struct ConditionSummary {
   std::int64_t trials = 0;
   std::int64_t correct = 0;     ///< spelled as the word
   std::int64_t homophones = 0;  ///< correct by sound
+  std::int64_t tolerated = 0;   ///< correct by a rule of tolerance
   std::int64_t wrong = 0;
   std::int64_t unknown = 0;  ///< not in the dictionary
   std::int64_t omissions = 0;
@@ -39,6 +40,7 @@ struct Criterion {
 };
 
 struct AnalysisOptions {
+  ScoringRules rules;
   CrossedBootstrap::Options bootstrap;
   std::vector<Criterion> criteria;
   /// Told what is being done; for a progress display.
@@ -49,6 +51,7 @@ struct AnalysisOptions {
 struct Results {
   Dataset dataset;
   DictionarySource dictionary;
+  ScoringRules rules;
   CrossedBootstrap::Options bootstrap;
   std::vector<Score> scores;                 ///< of dataset.trials, one by one
   std::vector<std::string> participants;     ///< with trials, by their numbers

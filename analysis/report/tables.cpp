@@ -174,11 +174,12 @@ ReportFile proportions_table(const Results& results) {
 
 ReportFile confusions_table(const Results& results) {
   Table table{"confusions"};
-  for (const auto& [unit, condition, matrix, ambiguous, lacking] : results.confusions) {
+  for (const auto& confusions : results.confusions) {
+    const auto& matrix = confusions.matrix;
     for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
       for (std::size_t j = 0; j < matrix.responses().size(); ++j) {
-        table.add({text(condition),
-                   name(unit),
+        table.add({text(confusions.condition),
+                   name(confusions.unit),
                    text(matrix.stimuli()[i]),
                    text(matrix.responses()[j]),
                    matrix.count(i, j),
@@ -242,6 +243,7 @@ ReportFile manifest(const Results& results, const Making& making) {
   json["made_utc"] = making.made_utc;
   json["selection"] = making.selection;
   json["bootstrap"] = {{"draws", results.bootstrap.draws}, {"seed", results.bootstrap.seed}};
+  json["scoring"] = describe_rules(results.rules);
   json["dictionary"] = {{"file", results.dictionary.file}, {"sha256", results.dictionary.sha256}};
   json["data"] = nlohmann::ordered_json::array();
   for (const auto& file : results.dataset.files) {

@@ -15,6 +15,10 @@ constexpr std::array<Naming, kUnits.size()> kNamings{{
     {"consonant-initial", "Initial consonants"},
     {"vowel", "Vowels"},
     {"consonant-final", "Final consonants"},
+    {"onset", "Onsets"},
+    {"coda", "Codas"},
+    {"phoneme", "Phonemes"},
+    {"word", "Words"},
 }};
 
 }  // namespace
@@ -46,8 +50,27 @@ std::optional<std::size_t> place_of(Unit unit, std::span<const Phone> phones) {
     case Unit::ConsonantFinal:
       if (vowel == phones.end() || !is_consonant(phones.back())) return std::nullopt;
       return phones.size() - 1;
+    case Unit::Onset:
+    case Unit::Coda:
+    case Unit::Phoneme:
+    case Unit::Word:
+      break;
   }
   return std::nullopt;
+}
+
+std::span<const Phone> onset_of(std::span<const Phone> phones) {
+  const auto vowel = std::ranges::find_if(phones, is_vowel);
+  return phones.first(static_cast<std::size_t>(vowel - phones.begin()));
+}
+
+std::span<const Phone> coda_of(std::span<const Phone> phones) {
+  std::size_t consonants = 0;
+  while (consonants < phones.size() && !is_vowel(phones[phones.size() - 1 - consonants])) {
+    ++consonants;
+  }
+  if (consonants == phones.size()) return {};
+  return phones.last(consonants);
 }
 
 }  // namespace bimodal::analysis

@@ -23,8 +23,8 @@ using protocols::Presented;
 
 /// "ambiguous", "deleted", "other" or the phone that stands in a unit's place.
 using Label = std::string;
-/// One for each of kUnits; empty where the word has no such unit.
-using Labels = std::array<Label, kUnits.size()>;
+/// One for each of kPlaceUnits; empty where the word has no such unit.
+using Labels = std::array<Label, kPlaceUnits.size()>;
 
 const std::string kAmbiguous = "ambiguous";
 
@@ -165,18 +165,18 @@ std::map<Cell, Expectation> enumerate_answers(const Observer& observer,
   for (const Word& stimulus : stimuli) {
     std::map<std::string, Labels> known;  // by answer
     for (std::size_t c = 0; c < conditions().size(); ++c) {
-      std::array<std::map<Label, double>, kUnits.size()> probabilities;
+      std::array<std::map<Label, double>, kPlaceUnits.size()> probabilities;
       for (const auto& [answer, probability] :
            observer.answers(stimulus, conditions()[c].presented)) {
         auto found = known.find(answer.spelling);
         if (found == known.end()) {
           found = known.emplace(answer.spelling, expected_labels(stimulus, answer)).first;
         }
-        for (std::size_t unit = 0; unit < kUnits.size(); ++unit) {
+        for (std::size_t unit = 0; unit < kPlaceUnits.size(); ++unit) {
           if (!found->second[unit].empty()) probabilities[unit][found->second[unit]] += probability;
         }
       }
-      for (std::size_t unit = 0; unit < kUnits.size(); ++unit) {
+      for (std::size_t unit = 0; unit < kPlaceUnits.size(); ++unit) {
         for (const auto& [label, p] : probabilities[unit]) {
           auto& cell = cells[{c, unit, std::string{symbol(stimulus_phone(stimulus, unit))}, label}];
           cell.mean += times * p;
@@ -297,7 +297,7 @@ TEST_F(Recovery, EveryCellOfTheReportIsWithinSamplingErrorOfTheEnumeration) {
     const auto at = counted_.cells.find(cell);
     const double counted = at == counted_.cells.end() ? 0.0 : at->second;
     EXPECT_TRUE(is_near(counted, expectation))
-        << conditions()[c].name << ", " << name(kUnits.at(unit)) << ", " << stimulus << " as "
+        << conditions()[c].name << ", " << name(kPlaceUnits.at(unit)) << ", " << stimulus << " as "
         << label << ": " << counted << ", expected " << expectation.mean;
   }
   for (const auto& [cell, counted] : counted_.cells) {
@@ -324,13 +324,13 @@ TEST_F(Recovery, DeviationsTogetherAreAsLargeAsChanceMakesThem) {
 
 TEST_F(Recovery, EveryAnswerIsCountedOnce) {
   for (std::size_t c = 0; c < conditions().size(); ++c) {
-    for (std::size_t unit = 0; unit < kUnits.size(); ++unit) {
+    for (std::size_t unit = 0; unit < kPlaceUnits.size(); ++unit) {
       double total = counted_.ambiguous.at({c, unit});
       for (const auto& [cell, counted] : counted_.cells) {
         if (std::get<0>(cell) == c && std::get<1>(cell) == unit) total += counted;
       }
       const auto with_unit = std::ranges::count_if(stimuli_, [&](const Word& word) {
-        return place_of(kUnits.at(unit), word.phones).has_value();
+        return place_of(kPlaceUnits.at(unit), word.phones).has_value();
       });
       EXPECT_EQ(total, static_cast<double>(kTimes * with_unit));
     }
@@ -357,13 +357,13 @@ TEST(ImpliedConfusions, OfSingleConsonantsAreThoseThatTheReportFinds) {
   ASSERT_GT(stimuli.size(), 100U);
   const auto observer = typical(candidates);
   for (const auto& [condition, presented] : conditions()) {
-    std::array<protocols::PhoneTable, kUnits.size()> found;
+    std::array<protocols::PhoneTable, kPlaceUnits.size()> found;
     double correct = 0.0;
     for (const Word& stimulus : stimuli) {
       for (const auto& [answer, probability] : observer.answers(stimulus, presented)) {
         const auto scored = score(trial_of(stimulus, answer, condition), installed_dictionary());
         if (scored.word_correct()) correct += probability;
-        for (std::size_t unit = 0; unit < kUnits.size(); ++unit) {
+        for (std::size_t unit = 0; unit < kPlaceUnits.size(); ++unit) {
           const auto& one = scored.units.at(unit);
           ASSERT_TRUE(one && one->outcome == UnitScore::Outcome::Answered)
               << stimulus.spelling << " as " << answer.spelling;
@@ -373,7 +373,7 @@ TEST(ImpliedConfusions, OfSingleConsonantsAreThoseThatTheReportFinds) {
     }
     const auto implied = protocols::implied_confusions(observer, stimuli, presented);
     const std::array tables{&implied.initial, &implied.vowel, &implied.final};
-    for (std::size_t unit = 0; unit < kUnits.size(); ++unit) {
+    for (std::size_t unit = 0; unit < kPlaceUnits.size(); ++unit) {
       for (const Phone given : all_phones()) {
         for (const Phone answered : all_phones()) {
           EXPECT_NEAR(found.at(unit)(given, answered), (*tables.at(unit))(given, answered), 1e-9)

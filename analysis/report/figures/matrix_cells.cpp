@@ -79,8 +79,4 @@ RowNote note_of_total(const ConfusionMatrix& matrix, std::size_t row) {
   return {print_count(total), total < kFewPresentations};
 }
 
-std::string print_count(double count) {
-  return std::trunc(count) == count ? fmt::format("{:.0f}", count) : fmt::format("{:.1f}", count);
-}
-
 }  // namespace bimodal::analysis

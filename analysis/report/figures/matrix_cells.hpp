@@ -25,7 +25,4 @@ inline constexpr double kPrintedFrom = 0.005;
 /// The number of presentations at the end of a row.
 [[nodiscard]] RowNote note_of_total(const ConfusionMatrix& matrix, std::size_t row);
 
-/// A count for people: whole where it is, else with one decimal ("12", "11.5").
-[[nodiscard]] std::string print_count(double count);
-
 }  // namespace bimodal::analysis

@@ -151,7 +151,7 @@ TEST(ReportPage, IsWholeWithoutAnythingElse) {
        at = page.find("<title>Confusion matrix", at + 1)) {
     ++matrices;
   }
-  EXPECT_EQ(matrices, kUnits.size() * results.conditions.size());
+  EXPECT_EQ(matrices, kPlaceUnits.size() * results.conditions.size());
 }
 
 /// Every element that is opened is closed, in order: a small judge of well-formedness.
