@@ -73,11 +73,14 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
       "--condition", choice.condition, "Which condition of sessions; needed if there are several");
 }
 
-bool is_matrix_file(const MatrixChoice& choice) {
-  const auto is_matrix = [&](const std::filesystem::path& file) {
-    return has_matrix_ending(file) && !is_trial_file(file, choice.analysis);
-  };
-  const bool any = std::ranges::any_of(choice.analysis.data, is_matrix);
+bool is_matrix_file(const std::filesystem::path& file, const AnalysisRequest& request) {
+  return has_matrix_ending(file) && !is_trial_file(file, request);
+}
+
+bool chooses_matrix_file(const MatrixChoice& choice) {
+  const bool any = std::ranges::any_of(choice.analysis.data, [&](const auto& file) {
+    return is_matrix_file(file, choice.analysis);
+  });
   if (any) require_no_choice(choice);
   return any;
 }
@@ -106,7 +109,7 @@ std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
 
 std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console console) {
   ChosenMatrix chosen;
-  if (is_matrix_file(choice)) {
+  if (chooses_matrix_file(choice)) {
     const auto& file = choice.analysis.data.front();
     auto read = read_titled_matrix(file);
     chosen.title = read.title.empty() ? file.string() : std::move(read.title);

@@ -30,9 +30,13 @@ struct ChosenMatrix {
   std::vector<std::string> warnings;
 };
 
-/// Whether DATA is a matrix of counts (by its name's ending): .csv, .json, or a text file of Praat
-/// (.Confusion, .ContingencyTable, .TableOfReal, .praat, .txt).
-[[nodiscard]] bool is_matrix_file(const MatrixChoice& choice);
+/// Whether a file is a confusion matrix (by its name's ending; as CSV, by its first line too).
+[[nodiscard]] bool is_matrix_file(const std::filesystem::path& file,
+                                  const AnalysisRequest& request);
+
+/// Whether DATA is a matrix. Throws Error where options would choose among its trials, which it
+/// does not have, or where there are more files.
+[[nodiscard]] bool chooses_matrix_file(const MatrixChoice& choice);
 
 /// Of trials; `chosen` gets everything but title and matrix. Absent, and said why on `console.err`,
 /// if no trial is left. Throws Error or StoreError.

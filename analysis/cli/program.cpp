@@ -40,6 +40,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Console console) 
   add_cluster_verb(program, chosen);
   add_mds_verb(program, chosen);
   add_proportions_verb(program, chosen);
+  add_compare_verb(program, chosen);
   add_export_verb(program, chosen);
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them

@@ -53,6 +53,7 @@ void add_sinfa_verb(CLI::App& program, Verb& chosen);
 void add_cluster_verb(CLI::App& program, Verb& chosen);
 void add_mds_verb(CLI::App& program, Verb& chosen);
 void add_proportions_verb(CLI::App& program, Verb& chosen);
+void add_compare_verb(CLI::App& program, Verb& chosen);
 void add_export_verb(CLI::App& program, Verb& chosen);
 
 /// Of the program, e.g. "0.1.0".

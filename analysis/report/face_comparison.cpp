@@ -112,9 +112,8 @@ ComparedTrials collect(const Results& results, Unit unit, const FaceComparison& 
       (other ? own.other : own.one).add(pair.stimulus, pair.response, pair.weight);
       // parts of responses cannot be exchanged whole: they go with the matrices, not with the test
       if (pair.weight < 1.0) continue;
-      compared.cells.push_back(
-          static_cast<std::uint32_t>(rows.at(pair.stimulus) * labels.responses().size() +
-                                     columns.at(pair.response)));
+      compared.cells.push_back(static_cast<std::uint32_t>(
+          rows.at(pair.stimulus) * labels.responses().size() + columns.at(pair.response)));
     }
     (other ? collected.words_other : collected.words_one)
         .push_back({.participant = compared.participant,
@@ -194,11 +193,8 @@ FaceComparison compare_faces(const ConfusionMatrix& one,
                              const Resampling& resampling) {
   auto found = describe_matrices(one, other, resampling);
   const auto ceiling = [&](bool off_diagonal) {
-    return noise_ceiling(found.one_matrix,
-                         found.other_matrix,
-                         off_diagonal,
-                         resampling.splits,
-                         resampling.seed);
+    return noise_ceiling(
+        found.one_matrix, found.other_matrix, off_diagonal, resampling.splits, resampling.seed);
   };
   found.ceiling_all = ceiling(false);
   found.ceiling_off_diagonal = ceiling(true);
@@ -222,9 +218,8 @@ FaceComparison compare_faces(const Results& results,
   const auto tables = tabulate_unit(results.dataset.trials, results.scores, both, unit);
   for (const auto& table : tables) {
     if (table.matrix.total() > 0.0) continue;
-    throw Error{fmt::format("comparing conditions: \"{}\" has no response for {}",
-                            table.condition,
-                            name(unit))};
+    throw Error{fmt::format(
+        "comparing conditions: \"{}\" has no response for {}", table.condition, name(unit))};
   }
   auto found = describe_matrices(tables[0].matrix, tables[1].matrix, resampling);
   found.title = title(unit);

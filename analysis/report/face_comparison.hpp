@@ -37,9 +37,9 @@ struct FaceComparison {
   /// Responses were exchanged one by one, as if all were independent: all that matrices allow.
   bool exchanged_responses = false;
   std::vector<Contrast> contrasts;
-  std::int64_t participants = 0;            ///< who have trials in both conditions; 0: not known
-  std::optional<Interval> ratio_interval;   ///< 95 %, of the accuracy ratio of words
-  std::optional<double> ratio;              ///< of words correct, other / one
+  std::int64_t participants = 0;           ///< who have trials in both conditions; 0: not known
+  std::optional<Interval> ratio_interval;  ///< 95 %, of the accuracy ratio of words
+  std::optional<double> ratio;             ///< of words correct, other / one
   std::string ratio_method;
 };
 

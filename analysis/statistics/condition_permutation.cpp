@@ -5,14 +5,14 @@
 #include <cmath>
 #include <thread>
 
-#include "analysis/statistics/arrangement.hpp"
+#include "analysis/statistics/condition_dealing.hpp"
 #include "analysis/statistics/correlation.hpp"
 
 namespace bimodal::analysis {
 
 namespace {
 
-using Label = Arrangement::Label;
+using Label = ConditionDealing::Label;
 
 /// Sums of the same numbers in another order may differ by so much.
 constexpr double kSlack = 1e-9;
@@ -125,7 +125,7 @@ void compare(const Statistics& observed, const Statistics& drawn, Exceedances& e
 /// A number of draws with a random stream of their own, so that it does not matter who makes them.
 constexpr std::int64_t kChunk = 50;
 
-Exceedances exceed(const Arrangement& arrangement,
+Exceedances exceed(const ConditionDealing& dealing,
                    const Judge& judge,
                    const Statistics& observed,
                    std::int64_t permutations,
@@ -142,7 +142,7 @@ Exceedances exceed(const Arrangement& arrangement,
       Random random{derive_seed(seed, "permutations", {static_cast<std::uint64_t>(chunk)})};
       const auto end = std::min(permutations, (chunk + 1) * kChunk);
       for (auto draw = chunk * kChunk; draw < end; ++draw) {
-        arrangement.draw(random, labels);
+        dealing.draw(random, labels);
         judge.count(labels, tally);
         judge.judge(tally, drawn);
         compare(observed, drawn, found[static_cast<std::size_t>(worker)]);
@@ -195,16 +195,16 @@ ConditionPermutation permute_conditions(std::span<const ComparedTrial> trials,
                                         std::size_t responses,
                                         std::int64_t permutations,
                                         Seed seed) {
-  const Arrangement arrangement{trials};
+  const ConditionDealing dealing{trials};
   const Judge judge{trials, stimuli, responses};
   Tally tally;
-  judge.count(arrangement.observed(), tally);
+  judge.count(dealing.observed(), tally);
   Statistics observed;
   judge.judge(tally, observed);
-  ConditionPermutation found{.randomisation = arrangement.randomisation(),
+  ConditionPermutation found{.randomisation = dealing.randomisation(),
                              .permutations = permutations,
                              .used = tally.trials[0] + tally.trials[1],
-                             .log10_arrangements = arrangement.log10_arrangements(),
+                             .log10_arrangements = dealing.log10_arrangements(),
                              .chi_square = observed.chi_square,
                              .accuracy_difference = observed.accuracy_difference,
                              .difference = observed.differences,
@@ -212,7 +212,7 @@ ConditionPermutation permute_conditions(std::span<const ComparedTrial> trials,
                              .cell_q = std::vector<std::optional<double>>(stimuli * responses)};
   found.left_out = static_cast<std::int64_t>(trials.size()) - found.used;
   if (found.randomisation == Randomisation::None || permutations == 0) return found;
-  const auto exceedances = exceed(arrangement, judge, observed, permutations, seed);
+  const auto exceedances = exceed(dealing, judge, observed, permutations, seed);
   const auto p_of = [&](std::int64_t as_large) {
     return (1.0 + static_cast<double>(as_large)) / (1.0 + static_cast<double>(permutations));
   };

@@ -1,4 +1,4 @@
-#include "analysis/statistics/arrangement.hpp"
+#include "analysis/statistics/condition_dealing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace bimodal::analysis {
 
 namespace {
 
-using Label = Arrangement::Label;
+using Label = ConditionDealing::Label;
 
 Label label_of(const ComparedTrial& trial) {
   return trial.other ? Label::Other : Label::One;
@@ -54,7 +54,7 @@ bool same_items(const std::vector<Label>& ones, const std::vector<Label>& others
 
 }  // namespace
 
-Arrangement::Arrangement(std::span<const ComparedTrial> trials) {
+ConditionDealing::ConditionDealing(std::span<const ComparedTrial> trials) {
   for (const auto& trial : trials) {
     observed_.push_back(label_of(trial));
     items_.push_back(trial.item);
@@ -66,14 +66,14 @@ Arrangement::Arrangement(std::span<const ComparedTrial> trials) {
   find_lists(trials);
 }
 
-void Arrangement::leave_out_all_but(const std::vector<bool>& used) {
+void ConditionDealing::leave_out_all_but(const std::vector<bool>& used) {
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) observed_[i] = Label::Neither;
   }
 }
 
 /// Participant x item with trials in both conditions; the design, if most trials are of such.
-void Arrangement::find_groups(std::span<const ComparedTrial> trials) {
+void ConditionDealing::find_groups(std::span<const ComparedTrial> trials) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Group> met;
   for (std::uint32_t i = 0; i < trials.size(); ++i) {
     met[{trials[i].participant, trials[i].item}].push_back(i);
@@ -105,7 +105,7 @@ void Arrangement::find_groups(std::span<const ComparedTrial> trials) {
 }
 
 /// Whose items had which condition; the design, if all participants met the same items.
-void Arrangement::find_rolls(std::span<const ComparedTrial> trials) {
+void ConditionDealing::find_rolls(std::span<const ComparedTrial> trials) {
   std::size_t items = 0;
   for (const auto& trial : trials) items = std::max<std::size_t>(items, trial.item + 1);
   std::map<std::uint32_t, Roll> by_participant;
@@ -132,7 +132,7 @@ void Arrangement::find_rolls(std::span<const ComparedTrial> trials) {
 }
 
 /// Participants who had the same lists get the same labels, also of items whose trials are lost.
-void Arrangement::merge_versions() {
+void ConditionDealing::merge_versions() {
   std::vector<std::pair<std::vector<Label>, std::vector<std::size_t>>> versions;
   for (std::size_t i = 0; i < rolls_.size(); ++i) {
     const auto& labels = rolls_[i].labels;
@@ -154,7 +154,7 @@ void Arrangement::merge_versions() {
 }
 
 /// Items that had the same condition for each version of the design are a list.
-void Arrangement::find_lists(std::span<const ComparedTrial> trials) {
+void ConditionDealing::find_lists(std::span<const ComparedTrial> trials) {
   std::map<std::vector<Label>, std::vector<std::uint32_t>> items_of_lists;
   const std::size_t items = rolls_.empty() ? 0 : rolls_.front().labels.size();
   for (std::uint32_t item = 0; item < items; ++item) {
@@ -187,7 +187,7 @@ void Arrangement::find_lists(std::span<const ComparedTrial> trials) {
 }
 
 /// One random bit for each pair.
-void Arrangement::draw_pairs(Random& random, std::vector<Label>& labels) const {
+void ConditionDealing::draw_pairs(Random& random, std::vector<Label>& labels) const {
   constexpr std::size_t kBits = 64;
   for (std::size_t first = 0; first < pairs_.size(); first += kBits) {
     auto bits = random.bits();
@@ -200,7 +200,7 @@ void Arrangement::draw_pairs(Random& random, std::vector<Label>& labels) const {
   }
 }
 
-void Arrangement::draw(Random& random, std::vector<Label>& labels) const {
+void ConditionDealing::draw(Random& random, std::vector<Label>& labels) const {
   labels = observed_;
   draw_pairs(random, labels);
   std::vector<Label> dealt;

@@ -9,13 +9,13 @@
 namespace bimodal::analysis {
 
 /// How the conditions of trials may be dealt again.
-class Arrangement {
+class ConditionDealing {
  public:
   /// Which of the two conditions a trial is in, or that it is left out.
   enum class Label : std::uint8_t { One, Other, Neither };
 
   /// Finds out from the trials what the design randomised.
-  explicit Arrangement(std::span<const ComparedTrial> trials);
+  explicit ConditionDealing(std::span<const ComparedTrial> trials);
 
   [[nodiscard]] Randomisation randomisation() const { return randomisation_; }
 
