@@ -20,13 +20,15 @@ struct AnalysisRequest {
   std::vector<std::filesystem::path> data;
   Selection selection;
   std::filesystem::path dictionary;  ///< empty: the installed one
+  ScoringRules rules;
   CrossedBootstrap::Options bootstrap;
 };
 
 /// What the user asked for, filled by the command line; run after it has been read.
 using Verb = std::function<ExitCode(Console)>;
 
-/// Adds DATA and the options that choose trials and the dictionary. `request` must outlive `verb`.
+/// Adds DATA and the options that choose trials, the dictionary and the rules of scoring. `request`
+/// must outlive `verb`.
 void add_analysis_options(CLI::App& verb, AnalysisRequest& request);
 
 /// Reads, scores and counts. Throws Error or StoreError.
@@ -36,6 +38,7 @@ void add_analysis_options(CLI::App& verb, AnalysisRequest& request);
 [[nodiscard]] std::string nothing_left(const Dataset& dataset);
 
 /// Each adds its verb to the program; `chosen` becomes the verb that the user named.
+void add_score_verb(CLI::App& program, Verb& chosen);
 void add_report_verb(CLI::App& program, Verb& chosen);
 void add_matrix_verb(CLI::App& program, Verb& chosen);
 void add_information_verb(CLI::App& program, Verb& chosen);
