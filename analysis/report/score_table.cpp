@@ -151,6 +151,15 @@ Json as_json(const ScoringRules& rules) {
           {"ties", name(rules.ties)}};
 }
 
+/// A sentence a line.
+std::string lines_of_rules(const ScoringRules& rules) {
+  auto text = describe_rules(rules);
+  for (auto at = text.find(". "); at != std::string::npos; at = text.find(". ", at)) {
+    text[at + 1] = '\n';
+  }
+  return text;
+}
+
 void append_row(std::string& text, const ScoreRow& row) {
   std::vector<CsvField> line{std::string_view{row.condition}};
   line.push_back(row.participant.empty() ? CsvField{} : std::string_view{row.participant});
@@ -220,7 +229,7 @@ std::string score_text(const ScoreTable& table) {
       "disagree on some phoneme.\n",
       lines_of(table, "n", "word_proportion"),
       lines_of(table, "no_pronunciation", "ambiguous_proportion"),
-      describe_rules(table.rules));
+      lines_of_rules(table.rules));
 }
 
 std::string score_csv(const ScoreTable& table) {
