@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/cli/scoring_options.hpp"
 #include "analysis/cli/verb.hpp"
 #include "analysis/data/stored_data.hpp"
 #include "analysis/data/trials_file.hpp"
@@ -158,6 +159,7 @@ void add_analysis_options(CLI::App& verb, AnalysisRequest& request) {
   verb.add_option("--dictionary",
                   request.dictionary,
                   "Pronouncing dictionary in CMU format [the installed pocketsphinx-en-us]");
+  add_scoring_options(verb, request.rules);
 }
 
 Results analyse_request(const AnalysisRequest& request, Console console) {
@@ -173,7 +175,8 @@ Results analyse_request(const AnalysisRequest& request, Console console) {
   return analyse(std::move(dataset),
                  dictionary,
                  {.file = file.string(), .sha256 = sha256_of_file(file)},
-                 {.bootstrap = request.bootstrap,
+                 {.rules = request.rules,
+                  .bootstrap = request.bootstrap,
                   .criteria = request.criteria,
                   .progress = [&](std::string_view step) { progress.show(step); }});
 }

@@ -25,15 +25,21 @@ bool has_matrix_ending(const std::filesystem::path& file) {
   return std::ranges::find(kMatrixEndings, ending) != kMatrixEndings.end();
 }
 
-const UnitConfusions& find_table(const Results& results, const MatrixChoice& choice) {
+std::vector<std::string> unit_names() {
+  std::vector<std::string> names;
+  for (const Unit unit : kUnits) names.emplace_back(name(unit));
+  return names;
+}
+
+UnitConfusions find_table(const Results& results, const MatrixChoice& choice) {
   std::vector<std::string> names;
   for (const auto& condition : results.conditions) names.push_back(condition.name);
   const bool only = choice.condition.empty() && names.size() == 1;
   const auto& wanted = only ? names.front() : choice.condition;
-  const auto found = std::ranges::find_if(results.confusions, [&](const UnitConfusions& table) {
-    return name(table.unit) == choice.unit && table.condition == wanted;
-  });
-  if (found != results.confusions.end()) return *found;
+  auto tables = tabulate_unit(
+      results.dataset.trials, results.scores, names, unit_from_name(choice.unit).value());
+  const auto found = std::ranges::find(tables, wanted, &UnitConfusions::condition);
+  if (found != tables.end()) return std::move(*found);
   throw Error{fmt::format("choosing a confusion matrix: {}; choose with --condition one of: {}",
                           wanted.empty() ? std::string{"the data have several conditions"}
                                          : fmt::format("the data have no condition \"{}\"", wanted),
@@ -50,11 +56,12 @@ void require_no_choice(const MatrixChoice& choice) {
   const auto& selection = choice.analysis.selection;
   const bool chooses = !choice.unit.empty() || !choice.condition.empty() ||
                        selection.include_practice || selection.exclude_flagged ||
-                       selection.exclude_simulated || !selection.participants.empty();
+                       selection.exclude_simulated || !selection.participants.empty() ||
+                       choice.analysis.rules != ScoringRules{};
   if (!chooses) return;
   throw Error{fmt::format(
       "'{}' is a matrix of counts, which has no trials to choose from; leave out --unit, "
-      "--condition, --participant, --include-practice and --exclude-...",
+      "--condition, --participant, --include-practice, --exclude-... and the rules of scoring",
       choice.analysis.data.front().string())};
 }
 
@@ -67,8 +74,8 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
       "Data files written by bimodal run or bimodal rehearse, trials as CSV, or one confusion "
       "matrix: as CSV (first column stimulus, then one column of counts per response; or "
       "stimulus,response,count), as JSON, or as a Confusion of Praat");
-  verb.add_option("--unit", choice.unit, "Which phones of the words; needed of sessions")
-      ->check(CLI::IsMember({"consonant-initial", "vowel", "consonant-final"}));
+  verb.add_option("--unit", choice.unit, "What is taken as one stimulus; needed of sessions")
+      ->check(CLI::IsMember(unit_names()));
   verb.add_option(
       "--condition", choice.condition, "Which condition of sessions; needed if there are several");
 }
@@ -90,8 +97,9 @@ std::optional<UnitConfusions> tabulate_chosen(const MatrixChoice& choice,
                                               ChosenMatrix& chosen) {
   if (choice.unit.empty()) {
     throw Error{
-        "choosing a confusion matrix: which phones of the words? Give --unit consonant-initial, "
-        "vowel or consonant-final"};
+        fmt::format("choosing a confusion matrix: which phones of the words? Give --unit, one of: "
+                    "{}",
+                    fmt::join(unit_names(), ", "))};
   }
   const auto results = analyse_request(choice.analysis, console);
   if (results.dataset.trials.empty()) {

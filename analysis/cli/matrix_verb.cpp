@@ -18,7 +18,9 @@ constexpr const char* kExamples = R"(Examples:
 
 Rows are the phones presented, columns those answered, then "deleted" (nothing of
 the answer stands in this place), "blank" (no answer) and "other" (the answer is not
-in the dictionary). All conditions of the data have the same rows and columns.)";
+in the dictionary). All conditions of the data have the same rows and columns. Onsets
+and codas are whole clusters ("S T"; "none" has no consonant), phonemes all phones
+wherever they stand, words are compared as they are spelled.)";
 
 ExitCode print_matrix(const MatrixRequest& request, Console console) {
   ChosenMatrix chosen;

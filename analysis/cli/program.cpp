@@ -15,6 +15,7 @@ namespace bimodal::analysis {
 namespace {
 
 constexpr const char* kExamples = R"(Examples:
+  bimodal-analysis score session.sqlite
   bimodal-analysis report session.sqlite -o report
   bimodal-analysis report P01.sqlite P02.sqlite -o report --exclude-flagged
   bimodal-analysis matrix session.sqlite --unit vowel --condition visual
@@ -33,6 +34,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Console console) 
   program.set_version_flag("--version",
                            std::string{"bimodal-analysis "} + std::string{program_version()});
   Verb chosen;
+  add_score_verb(program, chosen);
   add_report_verb(program, chosen);
   add_matrix_verb(program, chosen);
   add_information_verb(program, chosen);

@@ -23,13 +23,15 @@ struct AnalysisRequest {
   std::vector<Criterion> criteria;
   std::filesystem::path lexicon;     ///< as CSV; empty: a dictionary is asked
   std::filesystem::path dictionary;  ///< empty: the installed one
+  ScoringRules rules;
   CrossedBootstrap::Options bootstrap;
 };
 
 /// What the user asked for, filled by the command line; run after it has been read.
 using Verb = std::function<ExitCode(Console)>;
 
-/// Adds DATA and the options that choose trials and the dictionary. `request` must outlive `verb`.
+/// Adds DATA and the options that choose trials, the dictionary and the rules of scoring. `request`
+/// must outlive `verb`.
 void add_analysis_options(CLI::App& verb, AnalysisRequest& request);
 
 /// Whether a file is a table of trials as CSV (and not a matrix of counts). Throws Error if it
@@ -46,6 +48,7 @@ void add_seed_option(CLI::App& verb, Seed& seed);
 [[nodiscard]] std::string nothing_left(const Dataset& dataset);
 
 /// Each adds its verb to the program; `chosen` becomes the verb that the user named.
+void add_score_verb(CLI::App& program, Verb& chosen);
 void add_report_verb(CLI::App& program, Verb& chosen);
 void add_matrix_verb(CLI::App& program, Verb& chosen);
 void add_information_verb(CLI::App& program, Verb& chosen);

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -46,15 +47,6 @@ Pronunciation phones_in(std::string_view label) {
   return phones;
 }
 
-std::vector<std::string> in_order(std::vector<std::string> labels, Unit unit) {
-  if (unit == Unit::Word) {
-    std::ranges::sort(labels);
-  } else {
-    std::ranges::sort(labels, {}, [](const std::string& label) { return phones_in(label); });
-  }
-  return labels;
-}
-
 /// The trials of one unit, counted while they pass.
 class UnitCount {
  public:
@@ -87,29 +79,58 @@ class UnitCount {
   }
 
   std::vector<UnitConfusions> take() && {
-    const auto [rows, columns] = axes();
-    for (auto& table : tables_) table.matrix = ConfusionMatrix{rows, columns};
+    const auto stimuli = in_order({is_stimulus_.begin(), is_stimulus_.end()});
+    const auto responses = ordered_responses();
+    const auto rows = places_of(stimuli);
+    const auto columns = places_of(responses);
+    std::vector<std::vector<double>> counts(tables_.size(),
+                                            std::vector<double>(stimuli.size() * responses.size()));
     for (const auto& [cell, count] : cells_) {
       const auto& [condition, stimulus, response] = cell;
-      tables_[condition].matrix.add(labels_.labels()[stimulus], labels_.labels()[response], count);
+      counts[condition][rows[stimulus] * responses.size() + columns[response]] = count;
+    }
+    for (std::size_t i = 0; i < tables_.size(); ++i) {
+      tables_[i].matrix = {labels_of(stimuli), labels_of(responses), std::move(counts[i])};
     }
     return std::move(tables_);
   }
 
  private:
-  struct Axes {
-    std::vector<std::string> stimuli;
-    std::vector<std::string> responses;
-  };
+  using Numbers = std::vector<std::size_t>;  ///< of labels
 
-  [[nodiscard]] Axes axes() const {
-    const auto extras = extra_responses(unit_);
-    std::vector<std::string> stimuli;
-    for (const auto number : is_stimulus_) stimuli.push_back(labels_.labels()[number]);
-    const auto own = std::span{labels_.labels()}.subspan(extras.size());
-    auto responses = in_order({own.begin(), own.end()}, unit_);
-    responses.insert(responses.end(), extras.begin(), extras.end());
-    return {in_order(std::move(stimuli), unit_), std::move(responses)};
+  [[nodiscard]] Numbers in_order(Numbers numbers) const {
+    if (unit_ == Unit::Word) {
+      std::ranges::sort(numbers, {}, [&](std::size_t number) -> const std::string& {
+        return labels_.labels()[number];
+      });
+    } else {
+      std::ranges::sort(
+          numbers, {}, [&](std::size_t number) { return phones_in(labels_.labels()[number]); });
+    }
+    return numbers;
+  }
+
+  /// The extra ones, which were numbered first, come last.
+  [[nodiscard]] Numbers ordered_responses() const {
+    const auto extras = extra_responses(unit_).size();
+    Numbers own(labels_.labels().size() - extras);
+    std::iota(own.begin(), own.end(), extras);
+    auto numbers = in_order(std::move(own));
+    for (std::size_t number = 0; number < extras; ++number) numbers.push_back(number);
+    return numbers;
+  }
+
+  /// Where each label is among `numbers`; 0 for those that are not.
+  [[nodiscard]] Numbers places_of(const Numbers& numbers) const {
+    Numbers places(labels_.labels().size());
+    for (std::size_t place = 0; place < numbers.size(); ++place) places[numbers[place]] = place;
+    return places;
+  }
+
+  [[nodiscard]] std::vector<std::string> labels_of(const Numbers& numbers) const {
+    std::vector<std::string> labels;
+    for (const auto number : numbers) labels.push_back(labels_.labels()[number]);
+    return labels;
   }
 
   Unit unit_;

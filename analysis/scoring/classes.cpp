@@ -112,7 +112,11 @@ std::size_t count_different(std::vector<std::string> labels, const std::vector<s
 }  // namespace
 
 const std::string& ClassMap::class_of(const std::string& label) const {
-  const auto found = classes.find(label);
+  auto found = classes.find(label);
+  if (found == classes.end() && of_phones) {
+    if (const auto phone = phone_from_symbol(label))
+      found = classes.find(std::string{symbol(*phone)});
+  }
   return found == classes.end() ? label : found->second;
 }
 
@@ -127,7 +131,8 @@ std::optional<ClassMap> preset_classes(std::string_view name) {
   if (found == presets().end()) return std::nullopt;
   return ClassMap{.name = std::string{found->name},
                   .source = std::string{found->source},
-                  .classes = found->make()};
+                  .classes = found->make(),
+                  .of_phones = true};
 }
 
 ClassMap parse_classes(std::string_view text, std::string_view file) {

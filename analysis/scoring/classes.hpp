@@ -17,6 +17,7 @@ struct ClassMap {
   std::string name;                            ///< "owens-blazek", or the file
   std::string source;                          ///< reference; empty for a file
   std::map<std::string, std::string> classes;  ///< by label
+  bool of_phones = false;                      ///< labels are phones, "p" as good as "P"
 
   /// The class of a label; of one that the map lacks the label itself, alone in its class.
   [[nodiscard]] const std::string& class_of(const std::string& label) const;

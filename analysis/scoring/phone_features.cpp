@@ -12,12 +12,12 @@ constexpr std::size_t kConsonants = 25;
 constexpr std::size_t kVowels = 16;
 
 struct Consonant {
-  Phone phone;
+  Phone phone = Phone::Rest;
   ConsonantFeatures features;
 };
 
 struct Vowel {
-  Phone phone;
+  Phone phone = Phone::Rest;
   VowelFeatures features;
 };
 

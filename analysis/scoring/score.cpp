@@ -61,14 +61,18 @@ void score_aligned(const Pronunciation& phones,
   const auto [alignment, best] = align_with_any(phones, said, costs);
   scored.phones_correct = alignment.matches;
   scored.insertions = alignment.insertions;
+  scored.places.reserve(phones.size());
   for (std::size_t place = 0; place < phones.size(); ++place) {
     const auto& partners = alignment.partners[place];
     scored.places.push_back(read_partners(phones[place], partners));
     if (partners.size() == 1) continue;
     for (const auto& [partner, alignments] : partners) {
-      scored.shares.push_back({place, partner, alignments / alignment.alignments});
+      scored.shares.push_back(
+          {static_cast<std::uint32_t>(place), partner, alignments / alignment.alignments});
     }
   }
+  scored.shares.shrink_to_fit();
+  scored.said.reserve(best.size());
   for (const auto& [pronunciation, alignments] : best) {
     scored.said.push_back({said[pronunciation], alignments / alignment.alignments});
   }
@@ -76,6 +80,7 @@ void score_aligned(const Pronunciation& phones,
 
 /// Every phone has the same outcome; where answered, with itself.
 void score_alike(const Pronunciation& phones, Outcome outcome, Score& scored) {
+  scored.places.reserve(phones.size());
   for (const Phone phone : phones) {
     const Phone answer = outcome == Outcome::Answered ? phone : Phone::Rest;
     scored.places.push_back({phone, outcome, answer});

@@ -49,7 +49,7 @@ struct UnitScore {
 
 /// One of the partners of an ambiguous stimulus phone.
 struct PartnerShare {
-  std::size_t place = 0;  ///< among the phones of the stimulus, from 0
+  std::uint32_t place = 0;  ///< among the phones of the stimulus, from 0
   Partner partner;
   double share = 0.0;  ///< of the best alignments; a place's shares sum to 1
 };

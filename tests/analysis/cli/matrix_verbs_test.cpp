@@ -61,6 +61,8 @@ TEST_F(MatrixVerbs, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(few.code, ExitCode::InvalidInput);
   EXPECT_THAT(few.err, HasSubstr("no line for the stimulus \"b\""));
   EXPECT_THAT(run({"information", matrix, "--unit", "vowel"}).err, HasSubstr("leave out --unit"));
+  EXPECT_THAT(run({"information", matrix, "--ties", "average"}).err,
+              HasSubstr("and the rules of scoring"));
   EXPECT_THAT(run({"information", matrix, matrix}).err, HasSubstr("name one matrix"));
   EXPECT_EQ(run({"information", matrix, "--json", "--csv"}).code, ExitCode::Usage);
   const auto empty = run({"information", file("e.csv", "s,p\np,0\n")});

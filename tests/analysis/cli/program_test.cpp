@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "runner/store/session_store.hpp"
 #include "stimuli/base/digest.hpp"
@@ -90,6 +91,78 @@ TEST_F(Program, WritesTheReportAndPrintsItsPathLast) {
       EXPECT_TRUE(read_file(name.string() + ".pdf").starts_with("%PDF"));
     }
   }
+}
+
+TEST_F(Program, ScoresTheAnswersOfStoredSessions) {
+  const std::vector data{store("a.sqlite",
+                               "P01",
+                               {stored_trial(0, "bat", "B AE T", "bats"),
+                                stored_trial(1, "two", "T UW", "too"),
+                                stored_trial(2, "stew", "S T UW", "bee")}),
+                         store("b.sqlite", "P02", {stored_trial(0, "bat", "B AE T", "")})};
+  const auto score = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"score", data[0], data[1], "--dictionary", dictionary()});
+    return run(options);
+  };
+  const auto plain = score({});
+  EXPECT_EQ(plain.code, ExitCode::Done) << plain.err;
+  EXPECT_THAT(plain.out, HasSubstr("Tolerated: nothing."));
+  const auto usual = nlohmann::json::parse(score({"--json"}).out)["conditions"][0];
+  EXPECT_EQ(usual["n"], 4);
+  EXPECT_EQ(usual["homophone"], 1);
+  EXPECT_EQ(usual["out_of_dictionary"], 1);
+  EXPECT_EQ(usual["omissions"], 1);
+  const auto chosen = nlohmann::json::parse(
+      score({"--json", "--by-participant", "--tolerate", "tense,plural", "--no-homophones"}).out);
+  EXPECT_EQ(chosen["rules"]["tolerate"], nlohmann::json::array({"plural", "tense"}));
+  EXPECT_EQ(chosen["conditions"][0]["tolerated"], 1);
+  EXPECT_EQ(chosen["conditions"][0]["homophone"], 0);
+  EXPECT_EQ(chosen["participants"][1]["omissions"], 1);
+  const auto repeated =
+      score({"--tolerate", "plural", "--tolerate", "numbers", "--csv", "--by-participant"});
+  EXPECT_THAT(repeated.out, HasSubstr("\n\"auditory\",\"P01\",3,0,1,1,1,0,0,"));
+  EXPECT_THAT(score({"--trials", "--out-of-dictionary", "letter-to-sound"}).out,
+              HasSubstr("not in dictionary\t\t0\tB AE T\tB AE T S\tB>B AE>AE T>T\t3\t3\t1\n"));
+  EXPECT_THAT(score({"--trials", "--costs", "feature", "--csv"}).out,
+              HasSubstr("\"S>deleted T>B UW>IY\""));
+  EXPECT_EQ(score({"--tolerate", "everything"}).code, ExitCode::Usage);
+  EXPECT_EQ(score({"--ties", "first"}).code, ExitCode::Usage);
+  EXPECT_EQ(score({"--trials", "--by-participant"}).code, ExitCode::Usage);
+}
+
+TEST_F(Program, PrintsMatricesOfClustersPhonemesAndWords) {
+  const auto data =
+      store("a.sqlite",
+            "P01",
+            {stored_trial(0, "stew", "S T UW", "bee"), stored_trial(1, "bat", "B AE T", "pat")});
+  const auto matrix = [&](const std::string& unit, const std::vector<std::string>& options) {
+    std::vector<std::string> all{
+        "matrix", data, "--unit", unit, "--csv", "--dictionary", dictionary()};
+    all.insert(all.end(), options.begin(), options.end());
+    return run(all).out;
+  };
+  EXPECT_EQ(matrix("onset", {}),
+            "\"stimulus\",\"P\",\"B\",\"S T\",\"blank\",\"other\"\n"
+            "\"B\",1,0,0,0,0\n"
+            "\"S T\",0,1,0,0,0\n");
+  EXPECT_THAT(matrix("coda", {}), HasSubstr("\"none\",1,0,0,0\n"));
+  EXPECT_THAT(matrix("phoneme", {"--ties", "average"}), HasSubstr("\n\"S\",0,0.5,0,"));
+  EXPECT_THAT(matrix("word", {}), HasSubstr("\n\"bat\",0,0,1,0,0\n"));
+}
+
+TEST_F(Program, SaysInTheReportByWhichRulesAnswersWereScored) {
+  const auto data = store("a.sqlite", "P01", {stored_trial(0, "bat", "B AE T", "bats")});
+  const auto folder = in_folder("report");
+  const auto report = [&](std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {"report", data, "-o", folder.string(), "--dictionary", dictionary()});
+    EXPECT_EQ(run(options).code, ExitCode::Done);
+    return read_file(folder / "report.html");
+  };
+  EXPECT_THAT(report({}), testing::Not(HasSubstr("olerated")));
+  const auto page = report({"--tolerate", "plural"});
+  EXPECT_THAT(page, HasSubstr("Tolerated: plural."));
+  EXPECT_THAT(page, HasSubstr("<th class='number'>Tolerated</th>"));
 }
 
 TEST_F(Program, SaysWhyThereIsNothingToAnalyse) {
