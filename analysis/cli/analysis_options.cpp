@@ -130,6 +130,11 @@ void warn_of_unpronounced(const Pronounced& counts, Dataset& dataset) {
   }
 }
 
+std::filesystem::path dictionary_file(const AnalysisRequest& request) {
+  if (!request.lexicon.empty()) return request.lexicon;
+  return request.dictionary.empty() ? Dictionary::installed() : request.dictionary;
+}
+
 }  // namespace
 
 void add_analysis_options(CLI::App& verb, AnalysisRequest& request) {
@@ -162,15 +167,18 @@ void add_analysis_options(CLI::App& verb, AnalysisRequest& request) {
   add_scoring_options(verb, request.rules);
 }
 
+Dictionary dictionary_of(const AnalysisRequest& request) {
+  const auto file = dictionary_file(request);
+  return request.lexicon.empty() ? Dictionary{file} : read_lexicon(file);
+}
+
 Results analyse_request(const AnalysisRequest& request, Console console) {
   ProgressLine progress{console};
   progress.show("reading " + counted(request.data.size(), "data file"));
   auto dataset = gather(read_data(request), request.selection);
-  const auto file = !request.lexicon.empty()     ? request.lexicon
-                    : request.dictionary.empty() ? Dictionary::installed()
-                                                 : request.dictionary;
+  const auto file = dictionary_file(request);
   progress.show(fmt::format("reading {}", file.string()));
-  const auto dictionary = request.lexicon.empty() ? Dictionary{file} : read_lexicon(file);
+  const auto dictionary = dictionary_of(request);
   warn_of_unpronounced(pronounce_stimuli(dataset.trials, dictionary), dataset);
   return analyse(std::move(dataset),
                  dictionary,
@@ -179,6 +187,13 @@ Results analyse_request(const AnalysisRequest& request, Console console) {
                   .bootstrap = request.bootstrap,
                   .criteria = request.criteria,
                   .progress = [&](std::string_view step) { progress.show(step); }});
+}
+
+void add_idle_resampling(CLI::App& verb) {
+  for (const std::string name : {"--seed", "--resamples"}) {
+    verb.add_option_function<std::uint64_t>(
+        name, [](std::uint64_t) {}, "Taken by every verb; this one draws nothing at random");
+  }
 }
 
 void add_seed_option(CLI::App& verb, Seed& seed) {

@@ -134,6 +134,7 @@ void add_export_verb(CLI::App& program, Verb& chosen) {
   verb->footer(kExamples);
   add_matrix_options(*verb, request->choice);
   add_export_options(*verb, *request);
+  add_idle_resampling(*verb);
   verb->callback([request, &chosen] {
     require_format(*request);
     chosen = [request](Console console) { return export_matrix(*request, console); };

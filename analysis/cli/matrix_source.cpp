@@ -9,6 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "analysis/data/matrix_file.hpp"
+#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/structure_table.hpp"
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/lower_case.hpp"
@@ -65,6 +67,41 @@ void require_no_choice(const MatrixChoice& choice) {
       choice.analysis.data.front().string())};
 }
 
+ClassMap clusters_of(const ConfusionMatrix& matrix) {
+  constexpr double kKept = 0.75;
+  ClassMap map{.name = "clusters",
+               .source = "average linkage of phi; every class keeps .75 of its responses",
+               .classes = {}};
+  const auto table =
+      tabulate_clusters("", matrix, DissimilarityMeasure::Phi, Linkage::Average, kKept);
+  for (const auto& made : table.classes) {
+    const auto name = fmt::format("{}", fmt::join(made.members, " "));
+    for (const auto& member : made.members) map.classes.emplace(member, name);
+  }
+  return map;
+}
+
+ClassMap classes_named(const std::string& name, const ConfusionMatrix& matrix) {
+  if (name == "clusters") return clusters_of(matrix);
+  if (auto preset = preset_classes(name)) return std::move(*preset);
+  if (lower_case(std::filesystem::path{name}.extension().string()) == ".csv") {
+    return read_classes(name);
+  }
+  throw Error{fmt::format(
+      "putting labels together: there are no classes \"{}\"; give clusters, a CSV with the columns "
+      "label and class, or one of: {}",
+      name,
+      fmt::join(preset_class_names(), ", "))};
+}
+
+void combine(const std::string& classes, ChosenMatrix& chosen) {
+  chosen.uncombined = chosen.matrix;
+  if (classes.empty()) return;
+  chosen.classes = classes_named(classes, chosen.matrix);
+  chosen.matrix = matrix_of_classes(chosen.matrix, *chosen.classes);
+  chosen.title += fmt::format(", classes {}", chosen.classes->name);
+}
+
 }  // namespace
 
 void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
@@ -78,6 +115,10 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
       ->check(CLI::IsMember(unit_names()));
   verb.add_option(
       "--condition", choice.condition, "Which condition of sessions; needed if there are several");
+  verb.add_option("--classes",
+                  choice.classes,
+                  "Put labels together: owens-blazek (visemes), place, manner, voicing, clusters "
+                  "(of the matrix itself), or a CSV with the columns label and class");
 }
 
 bool is_matrix_file(const std::filesystem::path& file, const AnalysisRequest& request) {
@@ -129,8 +170,10 @@ std::optional<ChosenMatrix> load_chosen(const MatrixChoice& choice, Console cons
     auto table = tabulate_chosen(choice, console, chosen);
     if (!table) return std::nullopt;
     chosen.title = fmt::format("{}, condition {}", title(table->unit), table->condition);
+    chosen.left_out = left_out_text(*table);
     chosen.matrix = std::move(table->matrix);
   }
+  combine(choice.classes, chosen);
   if (chosen.matrix.total() > 0) return chosen;
   console.err << "bimodal-analysis: " << chosen.title << ": the matrix has no responses\n";
   return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "analysis/cli/verb.hpp"
 #include "analysis/report/provenance.hpp"
+#include "analysis/scoring/classes.hpp"
 #include "analysis/statistics/confusion_matrix.hpp"
 
 namespace bimodal::analysis {
@@ -16,15 +17,22 @@ struct MatrixChoice {
   AnalysisRequest analysis;
   std::string unit;
   std::string condition;
+  /// What of labels is put together: a preset, "clusters" of the matrix itself, or a CSV; empty:
+  /// nothing.
+  std::string classes;
 };
 
-/// Adds DATA, the options that choose trials, --unit and --condition. `choice` must outlive `verb`.
+/// Adds DATA, the options that choose trials, --unit, --condition and --classes. `choice` must
+/// outlive `verb`.
 void add_matrix_options(CLI::App& verb, MatrixChoice& choice);
 
 /// A matrix, and what must be known of it.
 struct ChosenMatrix {
-  std::string title;  ///< what the file says it is, or "m.csv"; "Vowels, condition visual"
-  ConfusionMatrix matrix;
+  std::string title;           ///< what the file says it is, or "m.csv"; "Vowels, condition visual"
+  ConfusionMatrix matrix;      ///< of classes, where these were wanted
+  ConfusionMatrix uncombined;  ///< of the labels themselves
+  std::optional<ClassMap> classes;
+  std::string left_out;          ///< of trials: what is not in the matrix, as a line of text
   std::size_t participants = 0;  ///< whose responses are in it; 0: not known
   Provenance provenance;
   std::vector<std::string> warnings;

@@ -1,143 +1,140 @@
 #include <algorithm>
 #include <memory>
-#include <utility>
+#include <optional>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/cli/output_form.hpp"
 #include "analysis/cli/verb.hpp"
-#include "analysis/data/counts_file.hpp"
-#include "analysis/report/csv.hpp"
-#include "analysis/statistics/interval.hpp"
+#include "analysis/report/counted_proportions.hpp"
+#include "analysis/report/proportion_table.hpp"
 #include "stimuli/base/digest.hpp"
+#include "stimuli/base/lower_case.hpp"
 
 namespace bimodal::analysis {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct ProportionsRequest {
-  std::filesystem::path counts;
+  AnalysisRequest analysis;
   double level = 0.95;
+  std::optional<int> alternatives;
+  bool by_participant = false;
   OutputForm form;
 };
 
 constexpr const char* kExamples = R"(Examples:
-  bimodal-analysis proportions counts.csv
+  bimodal-analysis proportions P*.sqlite
+  bimodal-analysis proportions trials.csv --lexicon words.csv --by-participant --resamples 10000
   bimodal-analysis proportions counts.csv --level 0.99 --json
+  bimodal-analysis proportions choices.csv --alternatives 4
+  bimodal-analysis proportions yesno.csv
 
-The file has a column k (successes), a column n (trials) and any others, like
-condition,k,n and visual,86,414. Each line gets five intervals; Wilson's is the one to
-report of one participant. All five take the trials for independent: of trials pooled
-over participants or words they are far too narrow, and `report` has a bootstrap over
-both instead.)";
+Of sessions and trials: words, phonemes and units correct in each condition. Pooled over
+participants an interval comes from a bootstrap over participants and words; of one
+participant it is Wilson's.
 
-struct Row {
-  const CountedSuccesses& counted;
-  std::vector<std::optional<Interval>> intervals;  ///< in the order of kIntervalMethods
-};
+Of counts: a CSV with a column k (successes), a column n (trials) and any others, like
+condition,k,n and visual,86,414. Each line gets five intervals for independent trials: of
+trials pooled over participants or words these are far too narrow. --alternatives adds d'
+of a choice among so many. A CSV with the columns hits, signals, false_alarms and noises
+gets d' and criterion.)";
 
-std::optional<double> proportion(const CountedSuccesses& counted) {
-  if (counted.trials == 0) return std::nullopt;
-  return static_cast<double>(counted.successes) / static_cast<double>(counted.trials);
+CountsKind kind_of(const ProportionsRequest& request) {
+  const auto& files = request.analysis.data;
+  if (files.size() != 1 || !request.analysis.mapping.empty()) return CountsKind::None;
+  if (lower_case(files.front().extension().string()) != ".csv") return CountsKind::None;
+  return kind_of_counts(read_file(files.front()));
 }
 
-std::string as_text(const std::vector<Row>& rows, double level) {
-  auto text = fmt::format("{:g} % intervals of proportions of independent trials\n", 100.0 * level);
-  for (const auto& [counted, intervals] : rows) {
-    text += fmt::format("\n{}{}k = {}, n = {}",
-                        fmt::join(counted.labels, ", "),
-                        counted.labels.empty() ? "" : ": ",
-                        counted.successes,
-                        counted.trials);
-    const auto part = proportion(counted);
-    text += part ? fmt::format(", p = {:.4f}\n", *part) : ": no trials\n";
-    for (std::size_t i = 0; part && i < kIntervalMethods.size(); ++i) {
-      text += fmt::format("  {:<16}[{:.4f}, {:.4f}]\n",
-                          name(kIntervalMethods[i]),
-                          intervals[i]->low,
-                          intervals[i]->high);
-    }
-  }
-  return text + "\nOf trials pooled over participants or words all of these are far too narrow.\n";
+Provenance provenance_of_counts(const ProportionsRequest& request) {
+  const auto& file = request.analysis.data.front();
+  return {.program = program_name(), .files = {{file.string(), sha256_of_file(file)}}};
 }
 
-std::string as_csv(const std::vector<Row>& rows, const CountsTable& table) {
-  std::vector<std::string> names = table.labels;
-  names.insert(names.end(), {"k", "n", "proportion"});
-  for (const auto method : kIntervalMethods) {
-    names.push_back(fmt::format("{}_low", name(method)));
-    names.push_back(fmt::format("{}_high", name(method)));
-  }
-  std::string text;
-  append_csv(text, std::vector<CsvField>(names.begin(), names.end()));
-  for (const auto& [counted, intervals] : rows) {
-    std::vector<CsvField> line(counted.labels.begin(), counted.labels.end());
-    line.insert(line.end(), {counted.successes, counted.trials});
-    const auto part = proportion(counted);
-    line.push_back(part ? CsvField{*part} : CsvField{});
-    for (const auto& interval : intervals) {
-      line.push_back(interval ? CsvField{interval->low} : CsvField{});
-      line.push_back(interval ? CsvField{interval->high} : CsvField{});
-    }
-    append_csv(text, line);
-  }
-  return text;
+ExitCode print_counts(const ProportionsRequest& request, Console console) {
+  const auto table = estimate_counts(
+      read_counts(request.analysis.data.front()), request.level, request.alternatives);
+  return print_as(request.form,
+                  {.text = [&] { return counted_proportions_text(table); },
+                   .csv = [&] { return counted_proportions_csv(table); },
+                   .json = [&] { return counted_proportions_json(table); }},
+                  provenance_of_counts(request),
+                  {},
+                  console);
 }
 
-std::string as_json(const std::vector<Row>& rows, const CountsTable& table, double level) {
-  Json json{{"level", level}, {"rows", Json::array()}};
-  for (const auto& [counted, intervals] : rows) {
-    Json row{{"labels", Json::object()}, {"k", counted.successes}, {"n", counted.trials}};
-    for (std::size_t i = 0; i < table.labels.size(); ++i) {
-      row["labels"][table.labels[i]] = counted.labels[i];
-    }
-    const auto part = proportion(counted);
-    row["proportion"] = part ? Json(*part) : Json();
-    for (std::size_t i = 0; i < kIntervalMethods.size(); ++i) {
-      row["intervals"][std::string{name(kIntervalMethods[i])}] =
-          intervals[i] ? Json{intervals[i]->low, intervals[i]->high} : Json();
-    }
-    json["rows"].push_back(std::move(row));
+ExitCode print_yes_counts(const ProportionsRequest& request, Console console) {
+  const auto table = read_yes_counts(request.analysis.data.front());
+  return print_as(request.form,
+                  {.text = [&] { return yes_no_text(table); },
+                   .csv = [&] { return yes_no_csv(table); },
+                   .json = [&] { return yes_no_json(table); }},
+                  provenance_of_counts(request),
+                  {},
+                  console);
+}
+
+ExitCode print_trials(const ProportionsRequest& request, Console console) {
+  const auto results = analyse_request(request.analysis, console);
+  if (results.dataset.trials.empty()) {
+    console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
+    return ExitCode::Findings;
   }
-  return json.dump(2) + "\n";
+  ProportionTable table{.rows = results.pooled, .alternatives = request.alternatives};
+  if (request.by_participant) {
+    table.rows.insert(table.rows.end(), results.individual.begin(), results.individual.end());
+  }
+  auto provenance = provenance_of(results.dataset, program_name());
+  provenance.seed = request.analysis.bootstrap.seed;
+  provenance.resamples = request.analysis.bootstrap.draws;
+  return print_as(request.form,
+                  {.text = [&] { return proportion_text(table); },
+                   .csv = [&] { return proportion_csv(table); },
+                   .json =
+                       [&] {
+                         nlohmann::ordered_json json{{"level", 0.95}};
+                         json["proportions"] = proportion_json(table);
+                         return json.dump(2);
+                       }},
+                  provenance,
+                  results.warnings,
+                  console);
 }
 
 ExitCode print_proportions(const ProportionsRequest& request, Console console) {
-  const auto table = read_counts(request.counts);
-  std::vector<Row> rows;
-  for (const auto& counted : table.rows) {
-    Row row{.counted = counted, .intervals = {}};
-    for (const auto method : kIntervalMethods) {
-      row.intervals.push_back(
-          interval_of(method, counted.successes, counted.trials, request.level));
-    }
-    rows.push_back(std::move(row));
+  switch (kind_of(request)) {
+    case CountsKind::Successes:
+      return print_counts(request, console);
+    case CountsKind::Yes:
+      return print_yes_counts(request, console);
+    case CountsKind::None:
+      break;
   }
-  return print_as(request.form,
-                  {.text = [&] { return as_text(rows, request.level); },
-                   .csv = [&] { return as_csv(rows, table); },
-                   .json = [&] { return as_json(rows, table, request.level); }},
-                  Provenance{.program = program_name(),
-                             .files = {{request.counts.string(), sha256_of_file(request.counts)}}},
-                  {},
-                  console);
+  return print_trials(request, console);
 }
 
 }  // namespace
 
 void add_proportions_verb(CLI::App& program, Verb& chosen) {
   const auto request = std::make_shared<ProportionsRequest>();
-  auto* const verb =
-      program.add_subcommand("proportions", "Intervals of proportions: k of n, line by line");
+  auto* const verb = program.add_subcommand(
+      "proportions", "Proportions correct with intervals, d'; of trials, or of counts k of n");
   verb->footer(kExamples);
-  verb->add_option("COUNTS", request->counts, "CSV with the columns k and n")->required();
-  verb->add_option("--level", request->level, "Of confidence")
+  add_analysis_options(*verb, request->analysis);
+  verb->get_option("DATA")->description(
+      "Data files of sessions, trials as CSV, or one CSV of counts: columns k and n, or hits, "
+      "signals, false_alarms and noises");
+  verb->add_option("--level", request->level, "Of confidence, of counts")
       ->capture_default_str()
       ->check(CLI::Range(0.5, 0.9999));
+  verb->add_option("--alternatives", request->alternatives, "Of a choice: adds d'")
+      ->check(CLI::Range(2, 1000));
+  verb->add_flag("--by-participant", request->by_participant, "A row for each participant too");
+  verb->add_option("--resamples", request->analysis.bootstrap.draws, "Bootstrap draws")
+      ->capture_default_str()
+      ->check(CLI::Range(100, 1'000'000));
+  add_seed_option(*verb, request->analysis.bootstrap.seed);
   add_output_form(*verb, request->form);
   verb->callback([request, &chosen] {
     chosen = [request](Console console) { return print_proportions(*request, console); };

@@ -92,6 +92,7 @@ void add_score_verb(CLI::App& program, Verb& chosen) {
       verb->add_flag("--by-participant", request->by_participant, "A row for each participant too");
   verb->add_flag("--trials", request->trials, "One line for each trial, not the counts")
       ->excludes(by_participant);
+  add_idle_resampling(*verb);
   add_output_form(*verb, request->form);
   verb->callback([request, &chosen] {
     chosen = [request](Console console) { return print_scores(*request, console); };

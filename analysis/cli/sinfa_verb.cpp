@@ -50,6 +50,7 @@ void add_sinfa_verb(CLI::App& program, Verb& chosen) {
   verb->footer(kExamples);
   add_matrix_options(*verb, request->choice);
   verb->add_option("--features", request->features, "What the sounds are like, as CSV")->required();
+  add_idle_resampling(*verb);
   add_output_form(*verb, request->form);
   verb->callback([request, &chosen] {
     chosen = [request](Console console) { return print_sinfa(*request, console); };

@@ -16,12 +16,14 @@ struct StructureRequest {
   Linkage linkage = Linkage::Average;
   double criterion = 0.75;
   std::size_t dimensions = 2;
+  bool equivalence = false;
   OutputForm form;
 };
 
 constexpr const char* kClusterExamples = R"(Examples:
   bimodal-analysis cluster m.csv --linkage average --criterion 0.75
   bimodal-analysis cluster session.sqlite --unit consonant-initial --condition visual --json
+  bimodal-analysis cluster m.csv --equivalence --lexicon words.csv
 
 Stimuli whose responses are alike become one class first. The classes are those after the
 fewest merges by which every class keeps the criterion's part of the responses to its
@@ -48,8 +50,13 @@ void add_measure(CLI::App& verb, StructureRequest& request) {
 ExitCode print_clusters(const StructureRequest& request, Console console) {
   const auto chosen = load_chosen(request.choice, console);
   if (!chosen) return ExitCode::Findings;
-  const auto table = tabulate_clusters(
+  auto table = tabulate_clusters(
       chosen->title, chosen->matrix, request.measure, request.linkage, request.criterion);
+  if (request.equivalence) {
+    std::vector<std::vector<std::string>> classes;
+    for (const auto& made : table.classes) classes.push_back(made.members);
+    table.lexicon = lexical_equivalence(dictionary_of(request.choice.analysis), classes);
+  }
   return print_as(request.form,
                   {.text = [&] { return cluster_text(table); },
                    .csv = [&] { return cluster_csv(table); },
@@ -95,6 +102,11 @@ void add_cluster_verb(CLI::App& program, Verb& chosen) {
                    "What every class must keep of the responses to its members")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
+  verb->add_flag(
+      "--equivalence",
+      request->equivalence,
+      "How much of the lexicon (--lexicon, --dictionary) is told apart by these classes");
+  add_idle_resampling(*verb);
   add_output_form(*verb, request->form);
   verb->callback([request, &chosen] {
     chosen = [request](Console console) { return print_clusters(*request, console); };
@@ -111,6 +123,7 @@ void add_mds_verb(CLI::App& program, Verb& chosen) {
   verb->add_option("--dimensions", request->dimensions, "Of the layout")
       ->capture_default_str()
       ->check(CLI::Range(1, 10));
+  add_idle_resampling(*verb);
   add_output_form(*verb, request->form);
   verb->callback([request, &chosen] {
     chosen = [request](Console console) { return print_layout(*request, console); };

@@ -38,6 +38,13 @@ void add_analysis_options(CLI::App& verb, AnalysisRequest& request);
 /// cannot be read.
 [[nodiscard]] bool is_trial_file(const std::filesystem::path& file, const AnalysisRequest& request);
 
+/// The lexicon, else the dictionary, else the installed one. Throws Error.
+[[nodiscard]] Dictionary dictionary_of(const AnalysisRequest& request);
+
+/// Adds --seed and --resamples to a verb that draws nothing at random, so that scripts may give
+/// them to every verb.
+void add_idle_resampling(CLI::App& verb);
+
 /// Adds --seed, of what is drawn at random. `seed` must outlive `verb`.
 void add_seed_option(CLI::App& verb, Seed& seed);
 

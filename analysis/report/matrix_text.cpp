@@ -29,21 +29,19 @@ std::string matrix_csv(const ConfusionMatrix& matrix) {
   return matrix_table_csv({"", {}, matrix, LabelOrder::Given}, CellContent::Counts, false);
 }
 
-std::string matrix_text(const UnitConfusions& confusions) {
-  const auto& matrix = confusions.matrix;
+std::string matrix_text(const std::string& title, const ConfusionMatrix& matrix) {
   const auto columns = columns_with_responses(matrix);
-  std::string text =
-      fmt::format("{}, condition {}: row proportions (rows: stimuli, columns: responses)\n\n{:>8}",
-                  title(confusions.unit),
-                  confusions.condition,
-                  "");
+  std::size_t stub = 8;
+  for (const auto& stimulus : matrix.stimuli()) stub = std::max(stub, stimulus.size() + 1);
+  std::string text = fmt::format(
+      "{}: row proportions (rows: stimuli, columns: responses)\n\n{:>{}}", title, "", stub);
   const auto width = [&](std::size_t column) {
     return std::max<std::size_t>(5, matrix.responses()[column].size() + 1);
   };
   for (const auto j : columns) text += fmt::format("{:>{}}", matrix.responses()[j], width(j));
   text += fmt::format("{:>8}\n", "n");
   for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
-    text += fmt::format("{:>8}", matrix.stimuli()[i]);
+    text += fmt::format("{:>{}}", matrix.stimuli()[i], stub);
     for (const auto j : columns) {
       const auto share = matrix.proportion(i, j);
       const bool shown = share && *share > 0.0;
@@ -57,13 +55,16 @@ std::string matrix_text(const UnitConfusions& confusions) {
                                    print_count(matrix.correct()),
                                    print_count(total),
                                    100.0 * matrix.correct() / total);
-  text += fmt::format("Not in the table: ambiguous alignments {}, words without this unit {}{}.\n",
-                      confusions.ambiguous,
-                      confusions.lacking,
-                      confusions.without_phones == 0
-                          ? ""
-                          : fmt::format(" ({} of unknown phones)", confusions.without_phones));
   return text;
+}
+
+std::string left_out_text(const UnitConfusions& confusions) {
+  return fmt::format("Not in the table: ambiguous alignments {}, words without this unit {}{}.\n",
+                     confusions.ambiguous,
+                     confusions.lacking,
+                     confusions.without_phones == 0
+                         ? ""
+                         : fmt::format(" ({} of unknown phones)", confusions.without_phones));
 }
 
 std::string print_proportion(double proportion) {

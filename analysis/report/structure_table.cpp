@@ -28,6 +28,31 @@ double at(const LayoutTable& table, std::size_t thing, std::size_t dimension) {
   return table.layout.coordinates[thing * table.layout.dimensions + dimension];
 }
 
+std::string lexicon_text(const LexicalEquivalence& lexicon) {
+  return fmt::format(
+      "\nThe lexicon, if phones of one class look the same: {} words in {} classes of words that\n"
+      "look the same; {} words ({:.1f} %) alone in theirs (by sound {}); expected class size "
+      "{:.2f};\n"
+      "{:.1f} % of the words' information extracted (every word as likely as any other).\n",
+      lexicon.words,
+      lexicon.classes,
+      lexicon.unique,
+      100.0 * lexicon.unique_share,
+      lexicon.unique_by_sound,
+      lexicon.expected_size,
+      100.0 * lexicon.extracted);
+}
+
+Json lexicon_json(const LexicalEquivalence& lexicon) {
+  return {{"words", lexicon.words},
+          {"classes", lexicon.classes},
+          {"unique", lexicon.unique},
+          {"unique_share", lexicon.unique_share},
+          {"unique_by_sound", lexicon.unique_by_sound},
+          {"expected_class_size", lexicon.expected_size},
+          {"information_extracted", lexicon.extracted}};
+}
+
 }  // namespace
 
 std::string_view name(DissimilarityMeasure measure) {
@@ -67,6 +92,10 @@ ClusterTable tabulate_clusters(std::string title,
     for (const auto member : members) made.members.push_back(table.labels[member]);
     made.kept = kept_within(matrix, made.members);
   }
+  for (const double usual : {0.70, 0.75, 0.80}) {
+    const auto merges = merges_until_kept(matrix, table.labels, table.merges, usual);
+    table.cuts.push_back({usual, classes_after(table.merges, merges).size()});
+  }
   return table;
 }
 
@@ -92,7 +121,10 @@ std::string cluster_text(const ClusterTable& table) {
   for (const auto& made : table.classes) {
     text += fmt::format("  /{}/  {:.3f}\n", fmt::join(made.members, " "), made.kept);
   }
-  return text;
+  text += "classes at other criteria:";
+  for (const auto& cut : table.cuts)
+    text += fmt::format(" {} at {:.2f}", cut.classes, cut.criterion);
+  return text + '\n' + (table.lexicon ? lexicon_text(*table.lexicon) : std::string{});
 }
 
 std::string cluster_csv(const ClusterTable& table) {
@@ -130,6 +162,10 @@ std::string cluster_json(const ClusterTable& table) {
   for (const auto& made : table.classes) {
     json["classes"].push_back({{"members", made.members}, {"kept", made.kept}});
   }
+  for (const auto& cut : table.cuts) {
+    json["classes_at"].push_back({{"criterion", cut.criterion}, {"classes", cut.classes}});
+  }
+  if (table.lexicon) json["lexicon"] = lexicon_json(*table.lexicon);
   return json.dump(2) + "\n";
 }
 

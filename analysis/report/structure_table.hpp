@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/scoring/lexical_equivalence.hpp"
 #include "analysis/statistics/clustering.hpp"
 #include "analysis/statistics/scaling.hpp"
 
@@ -24,6 +26,15 @@ struct ClusterTable {
   };
 
   std::vector<Class> classes;  ///< by the criterion
+
+  /// How many classes the usual criteria give, .70, .75 and .80.
+  struct Cut {
+    double criterion = 0.0;
+    std::size_t classes = 0;
+  };
+
+  std::vector<Cut> cuts;
+  std::optional<LexicalEquivalence> lexicon;  ///< by these classes; absent: not wanted
 };
 
 /// "phi", "confusion"; "single", "complete", "average".

@@ -64,7 +64,7 @@ TEST_F(Program, PrintsAMatrixOfStoredSessionsAsCsv) {
                             "--dictionary",
                             dictionary()});
   EXPECT_EQ(printed.code, ExitCode::Done);
-  EXPECT_THAT(printed.err, IsEmpty());
+  EXPECT_EQ(printed.err, "Trials: 3 in the data, 3 analysed.\n");
   EXPECT_EQ(printed.out,
             "\"stimulus\",\"P\",\"B\",\"R\",\"deleted\",\"blank\",\"other\"\n"
             "\"B\",1,0,0,0,1,0\n"

@@ -65,7 +65,7 @@ TEST_F(TabulateUnit, HasWordsByTheAlphabet) {
 }
 
 TEST_F(TabulateUnit, TellsHowManyWordsHaveNoPhones) {
-  EXPECT_THAT(matrix_text(tabulate(Unit::Vowel)),
+  EXPECT_THAT(left_out_text(tabulate(Unit::Vowel)),
               HasSubstr("words without this unit 2 (2 of unknown phones).\n"));
 }
 

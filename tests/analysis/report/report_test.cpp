@@ -279,11 +279,12 @@ TEST(MatrixText, AlignsProportionsAndSaysWhatIsLeftOut) {
   ConfusionMatrix matrix{{"B", "NA"}, {"B", "NA", "V", "blank"}};
   for (int i = 0; i < 3; ++i) matrix.add("B", "B");
   matrix.add("B", "blank");
-  EXPECT_EQ(matrix_text({.unit = Unit::ConsonantInitial,
-                         .condition = "visual",
-                         .matrix = matrix,
-                         .ambiguous = 2,
-                         .lacking = 1}),
+  EXPECT_EQ(matrix_text("Initial consonants, condition visual", matrix) +
+                left_out_text({.unit = Unit::ConsonantInitial,
+                               .condition = "visual",
+                               .matrix = matrix,
+                               .ambiguous = 2,
+                               .lacking = 1}),
             "Initial consonants, condition visual: row proportions (rows: stimuli, columns: "
             "responses)\n\n"
             "            B blank       n\n"
