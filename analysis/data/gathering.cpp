@@ -93,6 +93,14 @@ class Sieve {
   std::int64_t simulated_ = 0;
 };
 
+std::size_t count_trials(const std::vector<TrialsOfFile>& files) {
+  std::size_t count = 0;
+  for (const auto& file : files) {
+    for (const auto& session : file.sessions) count += session.trials.size();
+  }
+  return count;
+}
+
 void demand_known(const std::vector<std::string>& selected,
                   const std::set<std::string>& known,
                   std::string_view kind) {
@@ -110,6 +118,7 @@ void demand_known(const std::vector<std::string>& selected,
 
 Dataset gather(std::vector<TrialsOfFile> files, const Selection& selection) {
   Dataset dataset;
+  dataset.trials.reserve(count_trials(files));
   Sieve sieve{selection};
   std::set<std::string> conditions;
   std::set<std::string> participants;
@@ -126,6 +135,7 @@ Dataset gather(std::vector<TrialsOfFile> files, const Selection& selection) {
         ++summary.analysed_trials;
         dataset.trials.push_back(std::move(trial));
       }
+      std::vector<Trial>{}.swap(trials);  // a million of them take half a gigabyte
       dataset.sessions.push_back(std::move(summary));
     }
     dataset.files.push_back(std::move(file));

@@ -114,25 +114,29 @@ void exclude_below(const Criterion& criterion, Results& results) {
     const auto correct = static_cast<double>(tally.correct);
     if (correct < criterion.least * static_cast<double>(tally.trials)) below.insert(participant);
   }
-  std::vector<Trial> trials;
-  std::vector<Score> scores;
-  for (std::size_t i = 0; i < dataset.trials.size(); ++i) {
+  const auto all = dataset.trials.size();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all; ++i) {
     auto& trial = dataset.trials[i];
     if (below.contains(trial.participant)) {
       --dataset.sessions[trial.session].analysed_trials;
       continue;
     }
-    trials.push_back(std::move(trial));
-    scores.push_back(std::move(results.scores[i]));
+    if (kept < i) {
+      dataset.trials[kept] = std::move(trial);
+      results.scores[kept] = std::move(results.scores[i]);
+    }
+    ++kept;
   }
+  dataset.trials.erase(dataset.trials.begin() + static_cast<std::ptrdiff_t>(kept),
+                       dataset.trials.end());
+  results.scores.resize(kept);
   dataset.exclusions.push_back(
       {.reason = fmt::format("participant below {:g} correct in \"{}\" ({})",
                              criterion.least,
                              criterion.condition,
                              below.empty() ? "nobody" : fmt::format("{}", fmt::join(below, ", "))),
-       .trials = static_cast<std::int64_t>(dataset.trials.size() - trials.size())});
-  dataset.trials = std::move(trials);
-  results.scores = std::move(scores);
+       .trials = static_cast<std::int64_t>(all - kept)});
 }
 
 /// Below this number of participants a resampled interval hardly knows how participants differ.

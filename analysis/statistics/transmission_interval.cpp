@@ -53,12 +53,17 @@ Truth truth_like(const CellCounts& counts,
           .transmitted = transmitted};
 }
 
+struct Bootstrapped {
+  Interval interval;
+  double bias = 0.0;  ///< of the jackknife estimate, in its standard errors
+};
+
 /// Absent if responses never vary.
-std::optional<Interval> bootstrap(const Truth& truth,
-                                  const JackknifedTransmission& found,
-                                  TransmissionOfCounts& transmission,
-                                  double level,
-                                  Random& random) {
+std::optional<Bootstrapped> bootstrap(const Truth& truth,
+                                      const JackknifedTransmission& found,
+                                      TransmissionOfCounts& transmission,
+                                      double level,
+                                      Random& random) {
   std::vector<double> distances;
   CellCounts counts;
   for (std::int64_t draw = 0; draw < kDraws; ++draw) {
@@ -75,8 +80,11 @@ std::optional<Interval> bootstrap(const Truth& truth,
     return distances[static_cast<std::size_t>(place) - 1];
   };
   const double tail = (1.0 - level) / 2.0;
-  return Interval{found.estimate - order_statistic(1.0 - tail) * found.standard_error,
-                  found.estimate - order_statistic(tail) * found.standard_error};
+  const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
+  return Bootstrapped{
+      .interval = {found.estimate - order_statistic(1.0 - tail) * found.standard_error,
+                   found.estimate - order_statistic(tail) * found.standard_error},
+      .bias = sum / static_cast<double>(distances.size())};
 }
 
 class Study {
@@ -105,8 +113,9 @@ class Study {
     truth_.sampler.draw(random, counts);
     const auto found = transmission.jackknife(counts);
     const auto own = truth_like(counts, row_totals_, columns_);
-    const auto interval = bootstrap(own, found, transmission, level, random);
-    return interval && interval->low <= truth_.transmitted && truth_.transmitted <= interval->high;
+    const auto made = bootstrap(own, found, transmission, level, random);
+    return made && made->interval.low <= truth_.transmitted &&
+           truth_.transmitted <= made->interval.high;
   }
 
  private:
@@ -234,16 +243,21 @@ std::optional<TransmissionInterval> transmission_interval(const ConfusionMatrix&
   const auto jackknifed = transmission.jackknife(whole->counts);
   TransmissionInterval found{.estimate = jackknifed.estimate};
   Random random{derive_seed(seed, "transmission")};
-  const auto interval = bootstrap(study.truth(), jackknifed, transmission, level, random);
-  if (!interval) {
+  const auto made = bootstrap(study.truth(), jackknifed, transmission, level, random);
+  if (!made) {
     found.why_none = "responses vary too little for an interval";
     return found;
   }
   found.simulated = study.studies();
   found.measured_coverage = static_cast<double>(count_covering(study, level, seed)) /
                             static_cast<double>(found.simulated);
-  if (found.measured_coverage >= kLeastCoverage) {
-    found.interval = Interval{std::max(0.0, interval->low), std::max(0.0, interval->high)};
+  if (std::abs(made->bias) > kMostBias) {
+    found.why_none = fmt::format(
+        "of so few responses even the jackknife estimate is off by about {:.1f} standard errors",
+        std::abs(made->bias));
+  } else if (found.measured_coverage >= kLeastCoverage) {
+    found.interval =
+        Interval{std::max(0.0, made->interval.low), std::max(0.0, made->interval.high)};
   } else {
     found.why_none = fmt::format(
         "at these counts intervals of {:.0f} % covered the truth in {:.1f} % of {} simulated "

@@ -9,62 +9,19 @@
 #include <gtest/gtest.h>
 
 #include "analysis/data/feature_file.hpp"
-#include "analysis/data/matrix_file.hpp"
 #include "analysis/statistics/clustering.hpp"
 #include "analysis/statistics/information.hpp"
 #include "analysis/statistics/interval.hpp"
 #include "analysis/statistics/scaling.hpp"
-#include "stimuli/base/csv_reader.hpp"
-#include "stimuli/base/digest.hpp"
+#include "tests/analysis/oracle_values.hpp"
 
 namespace bimodal::analysis {
 namespace {
 
-constexpr double kTolerance = 1e-9;
-const std::filesystem::path kFolder = std::filesystem::path{BIMODAL_TEST_ROOT} / "oracles";
-
-/// A line of a table of values, by the names of its columns.
-class Line {
- public:
-  explicit Line(std::map<std::string, std::string> fields) : fields_{std::move(fields)} {}
-
-  [[nodiscard]] const std::string& text(const std::string& column) const {
-    return fields_.at(column);
-  }
-
-  [[nodiscard]] double number(const std::string& column) const { return std::stod(text(column)); }
-
-  [[nodiscard]] std::size_t index(const std::string& column) const {
-    return std::stoul(text(column));
-  }
-
- private:
-  std::map<std::string, std::string> fields_;
-};
-
-std::vector<Line> stored_values(const std::string& name) {
-  const auto file = kFolder / "values" / (name + ".csv");
-  const auto text = read_file(file);
-  const auto path = file.string();
-  CsvReader csv{text, path};
-  const auto header = csv.next().value();
-  std::vector<Line> lines;
-  while (const auto fields = csv.next()) {
-    std::map<std::string, std::string> line;
-    for (std::size_t i = 0; i < header.size(); ++i) line[header[i]] = fields->at(i);
-    lines.emplace_back(std::move(line));
-  }
-  EXPECT_FALSE(lines.empty()) << path;
-  return lines;
-}
-
-ConfusionMatrix input(const std::string& name) {
-  return read_matrix(kFolder / "inputs" / (name + ".csv"));
-}
-
-Dissimilarities phi_of(const std::string& name) {
-  return dissimilarities(input(name), DissimilarityMeasure::Phi);
-}
+using oracles::input;
+using oracles::kTolerance;
+using oracles::phi_of;
+using oracles::stored_values;
 
 TEST(Oracles, IntervalsOfProportions) {
   for (const auto& line : stored_values("intervals")) {
@@ -150,7 +107,7 @@ double quantity_of(const Information& found, const std::string& quantity) {
 }
 
 TEST(Oracles, Information) {
-  const auto features = read_features(kFolder / "inputs/features.csv");
+  const auto features = read_features(oracles::folder() / "inputs/features.csv");
   for (const auto& line : stored_values("information")) {
     auto matrix = input(line.text("matrix"));
     const auto feature = std::ranges::find(features.features, line.text("feature"));
