@@ -13,6 +13,7 @@ struct InformationRequest {
   MatrixChoice choice;
   std::filesystem::path features;
   Seed seed = 1;
+  std::int64_t draws = kTransmissionDraws;
   bool no_intervals = false;
   OutputForm form;
 };
@@ -41,7 +42,7 @@ IntervalRequest intervals_of(const InformationRequest& request, const ChosenMatr
                 "it covers\nwhat it says for several participants put together; choose one "
                 "with --participant"};
   }
-  return {.seed = request.seed, .why_none = {}};
+  return {.seed = request.seed, .draws = request.draws, .why_none = {}};
 }
 
 ExitCode print_information(const InformationRequest& request, Console console) {
@@ -50,7 +51,10 @@ ExitCode print_information(const InformationRequest& request, Console console) {
   const auto features = request.features.empty() ? FeatureTable{} : read_features(request.features);
   const auto table =
       tabulate_information(chosen->title, chosen->matrix, features, intervals_of(request, *chosen));
-  if (table.interval) chosen->provenance.seed = request.seed;
+  if (table.interval) {
+    chosen->provenance.seed = request.seed;
+    chosen->provenance.resamples = request.draws;
+  }
   return print_as(request.form,
                   {.text = [&] { return information_text(table); },
                    .csv = [&] { return information_csv(table); },
@@ -70,6 +74,9 @@ void add_information_verb(CLI::App& program, Verb& chosen) {
   add_matrix_options(*verb, request->choice);
   verb->add_option("--features", request->features, "What the sounds are like, as CSV");
   add_seed_option(*verb, request->seed);
+  verb->add_option("--resamples", request->draws, "Matrices drawn for each interval")
+      ->check(CLI::Range(99, 100'000))
+      ->capture_default_str();
   verb->add_flag("--no-intervals", request->no_intervals, "Without intervals, which take a while");
   add_output_form(*verb, request->form);
   verb->callback([request, &chosen] {

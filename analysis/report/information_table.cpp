@@ -21,7 +21,7 @@ constexpr std::string_view kWhole = "(all)";
 std::optional<TransmissionInterval> interval_of_transmission(const ConfusionMatrix& matrix,
                                                              const IntervalRequest& intervals) {
   if (!intervals.seed) return std::nullopt;
-  return transmission_interval(matrix, *intervals.seed);
+  return transmission_interval(matrix, *intervals.seed, intervals.draws);
 }
 
 FeatureInformation information_of(const ConfusionMatrix& matrix,

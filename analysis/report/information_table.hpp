@@ -32,6 +32,7 @@ struct InformationTable {
 /// Intervals of what was transmitted, or why there shall be none.
 struct IntervalRequest {
   std::optional<Seed> seed;  ///< absent: none
+  std::int64_t draws = kTransmissionDraws;
   std::string why_none;
 };
 

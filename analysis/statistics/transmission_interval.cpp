@@ -13,7 +13,6 @@ namespace bimodal::analysis {
 
 namespace {
 
-constexpr std::int64_t kDraws = 199;    ///< of each bootstrap
 constexpr std::int64_t kStudies = 200;  ///< simulated for the coverage
 constexpr std::int64_t kFewestStudies = 50;
 constexpr std::int64_t kMostResponses = 400'000'000;  ///< drawn for the coverage
@@ -53,6 +52,12 @@ Truth truth_like(const CellCounts& counts,
           .transmitted = transmitted};
 }
 
+/// How often, and for which interval.
+struct Drawing {
+  std::int64_t draws = kTransmissionDraws;
+  double level = 0.95;
+};
+
 struct Bootstrapped {
   Interval interval;
   double bias = 0.0;  ///< of the jackknife estimate, in its standard errors
@@ -62,24 +67,24 @@ struct Bootstrapped {
 std::optional<Bootstrapped> bootstrap(const Truth& truth,
                                       const JackknifedTransmission& found,
                                       TransmissionOfCounts& transmission,
-                                      double level,
+                                      const Drawing& drawing,
                                       Random& random) {
   std::vector<double> distances;
   CellCounts counts;
-  for (std::int64_t draw = 0; draw < kDraws; ++draw) {
+  for (std::int64_t draw = 0; draw < drawing.draws; ++draw) {
     truth.sampler.draw(random, counts);
     const auto drawn = transmission.jackknife(counts);
     if (drawn.standard_error <= 0.0) continue;
     distances.push_back((drawn.estimate - truth.transmitted) / drawn.standard_error);
   }
-  if (2 * std::ssize(distances) < kDraws) return std::nullopt;
+  if (2 * std::ssize(distances) < drawing.draws) return std::nullopt;
   std::ranges::sort(distances);
   const auto order_statistic = [&](double share) {
     const double rank = std::ceil(share * static_cast<double>(distances.size() + 1) - 1e-9);
     const auto place = std::clamp(rank, 1.0, static_cast<double>(distances.size()));
     return distances[static_cast<std::size_t>(place) - 1];
   };
-  const double tail = (1.0 - level) / 2.0;
+  const double tail = (1.0 - drawing.level) / 2.0;
   const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
   return Bootstrapped{
       .interval = {found.estimate - order_statistic(1.0 - tail) * found.standard_error,
@@ -101,19 +106,19 @@ class Study {
     return {row_totals_.size(), columns_, n_};
   }
 
-  [[nodiscard]] std::int64_t studies() const {
+  [[nodiscard]] std::int64_t studies(const Drawing& drawing) const {
     return std::clamp(
-        kMostResponses / (kDraws * std::max<std::int64_t>(n_, 1)), kFewestStudies, kStudies);
+        kMostResponses / (drawing.draws * std::max<std::int64_t>(n_, 1)), kFewestStudies, kStudies);
   }
 
   /// Whether the interval of a matrix drawn from the truth covers it.
-  [[nodiscard]] bool covers(double level, Random& random) const {
+  [[nodiscard]] bool covers(const Drawing& drawing, Random& random) const {
     auto transmission = this->transmission();
     CellCounts counts;
     truth_.sampler.draw(random, counts);
     const auto found = transmission.jackknife(counts);
     const auto own = truth_like(counts, row_totals_, columns_);
-    const auto made = bootstrap(own, found, transmission, level, random);
+    const auto made = bootstrap(own, found, transmission, drawing, random);
     return made && made->interval.low <= truth_.transmitted &&
            truth_.transmitted <= made->interval.high;
   }
@@ -125,13 +130,13 @@ class Study {
   Truth truth_;
 };
 
-std::int64_t count_covering(const Study& study, double level, Seed seed) {
+std::int64_t count_covering(const Study& study, const Drawing& drawing, Seed seed) {
   const auto workers = std::max<std::int64_t>(1, std::thread::hardware_concurrency());
   std::vector<std::int64_t> covering(static_cast<std::size_t>(workers), 0);
   const auto work = [&](std::int64_t worker) {
-    for (auto i = worker; i < study.studies(); i += workers) {
+    for (auto i = worker; i < study.studies(drawing); i += workers) {
       Random random{derive_seed(seed, "coverage", {static_cast<std::uint64_t>(i)})};
-      covering[static_cast<std::size_t>(worker)] += study.covers(level, random) ? 1 : 0;
+      covering[static_cast<std::size_t>(worker)] += study.covers(drawing, random) ? 1 : 0;
     }
   };
   {
@@ -235,7 +240,9 @@ JackknifedTransmission TransmissionOfCounts::jackknife(const CellCounts& counts)
 
 std::optional<TransmissionInterval> transmission_interval(const ConfusionMatrix& matrix,
                                                           Seed seed,
+                                                          std::int64_t draws,
                                                           double level) {
+  const Drawing drawing{.draws = draws, .level = level};
   const auto whole = whole_counts(matrix);
   if (!whole) return std::nullopt;
   const Study study{whole->counts, whole->row_totals, whole->columns};
@@ -243,13 +250,13 @@ std::optional<TransmissionInterval> transmission_interval(const ConfusionMatrix&
   const auto jackknifed = transmission.jackknife(whole->counts);
   TransmissionInterval found{.estimate = jackknifed.estimate};
   Random random{derive_seed(seed, "transmission")};
-  const auto made = bootstrap(study.truth(), jackknifed, transmission, level, random);
+  const auto made = bootstrap(study.truth(), jackknifed, transmission, drawing, random);
   if (!made) {
     found.why_none = "responses vary too little for an interval";
     return found;
   }
-  found.simulated = study.studies();
-  found.measured_coverage = static_cast<double>(count_covering(study, level, seed)) /
+  found.simulated = study.studies(drawing);
+  found.measured_coverage = static_cast<double>(count_covering(study, drawing, seed)) /
                             static_cast<double>(found.simulated);
   if (std::abs(made->bias) > kMostBias) {
     found.why_none = fmt::format(

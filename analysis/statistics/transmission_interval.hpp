@@ -58,6 +58,9 @@ inline constexpr double kLeastCoverage = 0.90;
 /// though simulation gave some of them 90 %.
 inline constexpr double kMostBias = 1.0;
 
+/// Matrices drawn for an interval, unless more are wanted.
+inline constexpr std::int64_t kTransmissionDraws = 199;
+
 /// Studentised parametric bootstrap (Efron & Tibshirani, 1993, An Introduction to the Bootstrap,
 /// ch. 12): matrices are drawn from the smoothed proportions; how far their jackknife estimates lie
 /// from the truth, in their own standard errors, says how far this one may. The same is done for
@@ -66,6 +69,9 @@ inline constexpr double kMostBias = 1.0;
 /// is off by no more than kMostBias. For independent responses. Absent for a matrix without
 /// responses, or with parts of responses.
 [[nodiscard]] std::optional<TransmissionInterval> transmission_interval(
-    const ConfusionMatrix& matrix, Seed seed, double level = 0.95);
+    const ConfusionMatrix& matrix,
+    Seed seed,
+    std::int64_t draws = kTransmissionDraws,
+    double level = 0.95);
 
 }  // namespace bimodal::analysis
