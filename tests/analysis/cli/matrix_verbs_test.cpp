@@ -129,5 +129,62 @@ TEST_F(MatrixVerbs, ProportionsHaveFiveIntervalsALine) {
   EXPECT_THAT(run({"proportions", file("r.csv", "k,m\n3,2\n")}).err, HasSubstr("no column \"n\""));
 }
 
+// By hand: the P row of kMatrix is 20, 3, 1; classes put P, B and M together.
+TEST_F(MatrixVerbs, PutsLabelsTogetherAndLooksWithinClasses) {
+  const auto matrix = file("m.csv", kMatrix);
+  const auto made = run({"matrix", matrix, "--classes", "owens-blazek", "--json"});
+  ASSERT_EQ(made.code, ExitCode::Done) << made.err;
+  const auto read = json::parse(made.out);
+  EXPECT_EQ(read["stimuli"], json::parse(R"(["P B M"])"));
+  EXPECT_EQ(read["counts"], json::parse("[[68, 3]]"));
+  EXPECT_EQ(read["within_classes"][0]["n"], 68);
+  EXPECT_NEAR(read["within_classes"][0]["correct"], 53.0 / 68.0, 1e-12);
+  EXPECT_THAT(run({"matrix", matrix, "--classes", "place"}).out, HasSubstr("Within classes"));
+  const auto classes = file("c.csv", "label,class\np,stop\nb,stop\n");
+  EXPECT_THAT(run({"matrix", matrix, "--classes", classes, "--csv"}).out,
+              HasSubstr("\"stop\",43,"));
+  EXPECT_THAT(run({"matrix", matrix, "--classes", "clusters"}).out, HasSubstr("by chance"));
+  EXPECT_THAT(run({"matrix", matrix, "--classes", "labial"}).err,
+              HasSubstr("there are no classes \"labial\""));
+}
+
+TEST_F(MatrixVerbs, HasAnIntervalOfInformationOrSaysWhyNot) {
+  const auto matrix = file("m.csv", kMatrix);
+  const auto read = json::parse(run({"information", matrix, "--json"}).out);
+  const auto& interval = read["transmitted_interval"];
+  EXPECT_GE(interval["measured_coverage"], 0.9);
+  EXPECT_LT(interval["interval"][0], 0.7011206416962881);
+  EXPECT_GT(interval["interval"][1], interval["transmitted_jackknife_bits"].get<double>());
+  EXPECT_EQ(read["data"]["seed"], 1);
+  const auto few = run({"information", file("f.csv", "s,p,b\np,2,1\nb,1,2\n")});
+  EXPECT_THAT(few.out, HasSubstr("There is no interval: "));
+  EXPECT_THAT(run({"information", matrix, "--no-intervals"}).out, HasSubstr("none was asked for"));
+}
+
+TEST_F(MatrixVerbs, TellsWhatOfTheLexiconIsToldApart) {
+  const auto lexicon = file("l.csv", "word,phonemes\npat,P AE T\nbat,B AE T\nsee,S IY\n");
+  const auto made = run({"cluster",
+                         file("m.csv", kMatrix),
+                         "--equivalence",
+                         "--lexicon",
+                         lexicon,
+                         "--criterion",
+                         "1",
+                         "--json"});
+  const auto read = json::parse(made.out);
+  EXPECT_EQ(read["lexicon"]["words"], 3);
+  EXPECT_EQ(read["lexicon"]["unique"], 1);
+  EXPECT_EQ(read["classes_at"].size(), 3U);
+}
+
+TEST_F(MatrixVerbs, EveryVerbTakesSeedAndResamples) {
+  const auto matrix = file("m.csv", kMatrix);
+  for (const std::string verb : {"matrix", "information", "cluster", "mds", "export"}) {
+    std::vector<std::string> line{verb, matrix, "--seed", "3", "--resamples", "200"};
+    if (verb == "export") line.insert(line.end(), {"--format", "json"});
+    EXPECT_EQ(run(line).code, ExitCode::Done) << verb;
+  }
+}
+
 }  // namespace
 }  // namespace bimodal::analysis
