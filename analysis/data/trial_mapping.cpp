@@ -25,10 +25,9 @@ constexpr TextRule kColumn{.shortest = 1, .longest = 1'000, .meaning = "the name
 /// Keys that are no field of a trial are mistakes.
 bool is_field(const std::string& key, const std::string& pointer, Findings& findings) {
   if (std::ranges::find(kTrialFields, key) != kTrialFields.end()) return true;
-  findings.error(
-      pointer + "/" + escape_pointer(key),
-      fmt::format("\"{}\" is no field of a trial", key),
-      fmt::format("{} are: {}", suggestion(key, kTrialFields), fmt::join(kTrialFields, ", ")));
+  findings.error(pointer + "/" + escape_pointer(key),
+                 fmt::format("\"{}\" is no field of a trial", key),
+                 suggestion(key, kTrialFields));
   return false;
 }
 

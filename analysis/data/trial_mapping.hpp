@@ -11,25 +11,11 @@ namespace bimodal::analysis {
 
 /// What a trial has, as tables of trials and mappings name it. "stimulus" is the word presented,
 /// "response_ms" counts to the submission, "first_key_ms" to the first key.
-inline constexpr std::array<std::string_view, 19> kTrialFields{"participant",
-                                                               "session",
-                                                               "trial",
-                                                               "phase",
-                                                               "block",
-                                                               "condition",
-                                                               "stimulus",
-                                                               "response",
-                                                               "phones",
-                                                               "auditory_talker",
-                                                               "visual_talker",
-                                                               "snr_db",
-                                                               "visual_word",
-                                                               "first_key_ms",
-                                                               "response_ms",
-                                                               "timed_out",
-                                                               "flagged",
-                                                               "excluded",
-                                                               "simulated"};
+inline constexpr std::array<std::string_view, 20> kTrialFields{
+    "participant",   "session",   "trial",       "phase",        "block",
+    "condition",     "stimulus",  "response",    "phones",       "auditory_talker",
+    "visual_talker", "snr_db",    "visual_word", "articulation", "first_key_ms",
+    "response_ms",   "timed_out", "flagged",     "excluded",     "simulated"};
 
 /// How somebody else's table of trials is to be read: a JSON file such as
 ///

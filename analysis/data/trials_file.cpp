@@ -211,7 +211,7 @@ class TrialReader {
                       .snr_db = number("snr_db"),
                       .word = std::move(*stimulus),
                       .visual_word = name("visual_word"),
-                      .articulation = std::nullopt,
+                      .articulation = name("articulation"),
                       .face = std::nullopt,
                       .phones = phones(),
                       .response = text("response").value_or(""),
