@@ -65,7 +65,7 @@ TEST_F(TrialsAsCsv, AreScoredByTheLexicon) {
             "\"P\",1,1,0,0,0,0\n"
             "\"B\",1,0,0,0,1,0\n"
             "\"N\",0,0,1,0,0,1\n");
-  EXPECT_THAT(made.err, IsEmpty());
+  EXPECT_EQ(made.err, "Trials: 10 in the data, 10 analysed.\n");
 }
 
 TEST_F(TrialsAsCsv, AreLeftOutByResponseTime) {
@@ -162,7 +162,7 @@ TEST_F(TrialsAsCsv, WarnOfStimuliThatNobodyCanSay) {
 TEST_F(TrialsAsCsv, NeedAUnitAndNoMatrix) {
   const auto without = run_on_trials({"information", "--condition", "visual"});
   EXPECT_EQ(without.code, ExitCode::InvalidInput);
-  EXPECT_THAT(without.err, HasSubstr("Give --unit consonant-initial"));
+  EXPECT_THAT(without.err, HasSubstr("Give --unit, one of: consonant-initial"));
   const auto broken = files_.write("b.csv", "participant,stimulus,response\nP1,pa\n").string();
   EXPECT_THAT(run_on(broken, {"information", "--unit", "vowel"}).err,
               AllOf(HasSubstr("b.csv:2: 2 fields"), Not(HasSubstr("matrix"))));
