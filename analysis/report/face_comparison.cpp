@@ -163,12 +163,7 @@ void estimate_ratio(const ComparedTrials& collected,
     found.ratio_method = "no interval: too few correct words to resample";
     return;
   }
-  std::ranges::sort(ratios);
-  const auto order_statistic = [&](double share) {
-    const double rank = std::ceil(share * static_cast<double>(ratios.size()) - 1e-9);
-    return ratios[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
-  };
-  found.ratio_interval = Interval{order_statistic(0.025), order_statistic(0.975)};
+  found.ratio_interval = percentile_interval(std::move(ratios));
   found.ratio_method = fmt::format("crossed bootstrap, {} participants x {} words, {} draws",
                                    collected.participants.size(),
                                    collected.words,

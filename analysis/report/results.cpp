@@ -186,6 +186,7 @@ Results analyse(Dataset dataset,
   results.dictionary = std::move(source);
   results.rules = options.rules;
   results.bootstrap = options.bootstrap;
+  results.faces = options.faces;
   const auto& trials = results.dataset.trials;
   options.progress(fmt::format("scoring {} answers", trials.size()));
   results.scores = score_all(trials, dictionary, options.rules);
@@ -205,6 +206,8 @@ Results analyse(Dataset dataset,
   options.progress("confusions");
   results.confusions = tabulate_confusions(trials, results.scores, names);
   results.likeness = compare_conditions(results.confusions);
+  results.benefits = tabulate_benefits(results);
+  results.shares = tabulate_shares(results);
   warn(results);
   return results;
 }

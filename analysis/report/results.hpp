@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "analysis/data/dataset.hpp"
+#include "analysis/report/benefits.hpp"
 #include "analysis/report/confusions.hpp"
 #include "analysis/report/proportions.hpp"
 
@@ -39,10 +41,18 @@ struct Criterion {
   double least = 0.0;  ///< proportion
 };
 
+/// Conditions that show the natural and the synthetic face: the one is what the other is measured
+/// by.
+struct FaceConditions {
+  std::string natural;
+  std::string synthetic;
+};
+
 struct AnalysisOptions {
   ScoringRules rules;
   CrossedBootstrap::Options bootstrap;
   std::vector<Criterion> criteria;
+  std::optional<FaceConditions> faces;  ///< absent: nobody said which they are
   /// Told what is being done; for a progress display.
   std::function<void(std::string_view step)> progress = [](std::string_view) {};
 };
@@ -53,6 +63,7 @@ struct Results {
   DictionarySource dictionary;
   ScoringRules rules;
   CrossedBootstrap::Options bootstrap;
+  std::optional<FaceConditions> faces;       ///< as named
   std::vector<Score> scores;                 ///< of dataset.trials, one by one
   std::vector<std::string> participants;     ///< with trials, by their numbers
   std::vector<ConditionSummary> conditions;  ///< heard, seen, both; then by S/N and name
@@ -60,6 +71,8 @@ struct Results {
   std::vector<Proportion> individual;        ///< measures within participants within conditions
   std::vector<UnitConfusions> confusions;    ///< conditions within units
   std::vector<ConditionLikeness> likeness;
+  std::vector<BenefitRow> benefits;   ///< bimodal conditions in the order of conditions
+  std::vector<ShareRow> shares;       ///< of natural benefits
   std::vector<std::string> warnings;  ///< the dataset's, and those of the numbers
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace bimodal::analysis {
 
@@ -88,13 +89,18 @@ std::optional<Interval> CrossedBootstrap::interval(std::span<const CrossedCell> 
   if (successes == 0 || successes == trials) return std::nullopt;
   auto proportions = replicates(cells);
   if (draws_ == 0 || 100 * (draws_ - proportions.size()) > draws_) return std::nullopt;
-  std::ranges::sort(proportions);
+  return percentile_interval(std::move(proportions), level);
+}
+
+Interval percentile_interval(std::vector<double> replicates, double level) {
+  assert(!replicates.empty());
+  std::ranges::sort(replicates);
   const auto order_statistic = [&](double share) {
-    const double rank = std::ceil(share * static_cast<double>(proportions.size()) - 1e-9);
-    return proportions[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+    const double rank = std::ceil(share * static_cast<double>(replicates.size()) - 1e-9);
+    return replicates[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
   };
   const double tail = (1.0 - level) / 2.0;
-  return Interval{order_statistic(tail), order_statistic(1.0 - tail)};
+  return {order_statistic(tail), order_statistic(1.0 - tail)};
 }
 
 }  // namespace bimodal::analysis

@@ -37,9 +37,8 @@ class CrossedBootstrap {
   /// Proportion of successes in each draw; a draw that meets no trial at all is left out.
   [[nodiscard]] std::vector<double> replicates(std::span<const CrossedCell> cells) const;
 
-  /// The percentile interval: order statistics ceil(alpha/2 B) and ceil((1 - alpha/2) B) of the B
-  /// replicates, alpha = 1 - level. Absent where the bootstrap has nothing to say: no trials, all
-  /// or none successes, or more than 1 % of the draws without any trial.
+  /// The percentile interval. Absent where the bootstrap has nothing to say: no trials, all or none
+  /// successes, or more than 1 % of the draws without any trial.
   [[nodiscard]] std::optional<Interval> interval(std::span<const CrossedCell> cells,
                                                  double level = 0.95) const;
 
@@ -50,5 +49,9 @@ class CrossedBootstrap {
   std::vector<std::uint32_t> participant_counts_;  ///< draw by draw, participants_ each
   std::vector<std::uint32_t> word_counts_;         ///< draw by draw, words_ each
 };
+
+/// The middle of replicates that a bootstrap gave: their order statistics ceil(alpha/2 B) and
+/// ceil((1 - alpha/2) B), alpha = 1 - level. At least one replicate.
+[[nodiscard]] Interval percentile_interval(std::vector<double> replicates, double level = 0.95);
 
 }  // namespace bimodal::analysis
