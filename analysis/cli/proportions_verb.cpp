@@ -6,6 +6,7 @@
 
 #include "analysis/cli/output_form.hpp"
 #include "analysis/cli/verb.hpp"
+#include "analysis/report/benefit_table.hpp"
 #include "analysis/report/counted_proportions.hpp"
 #include "analysis/report/proportion_table.hpp"
 #include "stimuli/base/digest.hpp"
@@ -32,7 +33,9 @@ constexpr const char* kExamples = R"(Examples:
 
 Of sessions and trials: words, phonemes and units correct in each condition. Pooled over
 participants an interval comes from a bootstrap over participants and words; of one
-participant it is Wilson's.
+participant it is Wilson's. What a face adds to a voice (AV - A and the like), and what part
+of the natural face's benefit a synthetic one gives, where the data say who was heard and
+seen (columns auditory_talker, visual_talker, snr_db).
 
 Of counts: a CSV with a column k (successes), a column n (trials) and any others, like
 condition,k,n and visual,86,414. Each line gets five intervals for independent trials: of
@@ -88,18 +91,22 @@ ExitCode print_trials(const ProportionsRequest& request, Console console) {
   auto provenance = provenance_of(results.dataset, program_name());
   provenance.seed = request.analysis.bootstrap.seed;
   provenance.resamples = request.analysis.bootstrap.draws;
-  return print_as(request.form,
-                  {.text = [&] { return proportion_text(table); },
-                   .csv = [&] { return proportion_csv(table); },
-                   .json =
-                       [&] {
-                         nlohmann::ordered_json json{{"level", 0.95}};
-                         json["proportions"] = proportion_json(table);
-                         return json.dump(2);
-                       }},
-                  provenance,
-                  results.warnings,
-                  console);
+  return print_as(
+      request.form,
+      {.text =
+           [&] { return proportion_text(table) + benefit_text(results.benefits, results.shares); },
+       .csv = [&] { return proportion_csv(table); },
+       .json =
+           [&] {
+             nlohmann::ordered_json json{{"level", 0.95}};
+             json["proportions"] = proportion_json(table);
+             json["benefits"] = benefit_json(results.benefits);
+             json["shares_of_natural_benefit"] = share_json(results.shares);
+             return json.dump(2);
+           }},
+      provenance,
+      results.warnings,
+      console);
 }
 
 ExitCode print_proportions(const ProportionsRequest& request, Console console) {

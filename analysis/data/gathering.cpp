@@ -116,7 +116,7 @@ void demand_known(const std::vector<std::string>& selected,
 
 }  // namespace
 
-Dataset gather(std::vector<TrialsOfFile> files, const Selection& selection) {
+Dataset gather(std::vector<TrialsOfFile>&& files, const Selection& selection) {
   Dataset dataset;
   dataset.trials.reserve(count_trials(files));
   Sieve sieve{selection};

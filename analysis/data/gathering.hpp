@@ -35,6 +35,6 @@ struct TrialsOfFile {
 /// Chooses trials and counts what is left out. The response time of a trial is that of its first
 /// key, or of its submission where no key is known; trials without either are not judged by it.
 /// Throws Error for a selected condition or participant that does not occur.
-[[nodiscard]] Dataset gather(std::vector<TrialsOfFile> files, const Selection& selection = {});
+[[nodiscard]] Dataset gather(std::vector<TrialsOfFile>&& files, const Selection& selection = {});
 
 }  // namespace bimodal::analysis

@@ -171,7 +171,9 @@ std::optional<Mantel> mantel(const Dissimilarities& one,
                              const Dissimilarities& other,
                              std::int64_t permutations,
                              Seed seed) {
-  auto [ones, others] = shared_places(one.labels(), other.labels());
+  auto places = shared_places(one.labels(), other.labels());
+  const auto& ones = places.first;
+  auto& others = places.second;
   if (ones.size() < 3) return std::nullopt;
   const auto fixed = triangle(one, ones);
   const auto observed = pearson(fixed, triangle(other, others));
