@@ -1,6 +1,7 @@
 #include "analysis/data/gathering.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -122,9 +123,9 @@ Dataset gather(std::vector<TrialsOfFile>&& files, const Selection& selection) {
   Sieve sieve{selection};
   std::set<std::string> conditions;
   std::set<std::string> participants;
-  for (auto& [file, sessions, warnings] : files) {
-    dataset.warnings.insert(dataset.warnings.end(), warnings.begin(), warnings.end());
-    for (auto& [summary, trials] : sessions) {
+  for (auto& read : files) {
+    std::ranges::move(read.warnings, std::back_inserter(dataset.warnings));
+    for (auto& [summary, trials] : read.sessions) {
       summary.file = dataset.files.size();
       participants.insert(summary.participant);
       for (auto& trial : trials) {
@@ -138,7 +139,7 @@ Dataset gather(std::vector<TrialsOfFile>&& files, const Selection& selection) {
       std::vector<Trial>{}.swap(trials);  // a million of them take half a gigabyte
       dataset.sessions.push_back(std::move(summary));
     }
-    dataset.files.push_back(std::move(file));
+    dataset.files.push_back(std::move(read.file));
   }
   demand_known(selection.conditions, conditions, "condition");
   demand_known(selection.participants, participants, "participant");

@@ -10,28 +10,27 @@ namespace {
 
 constexpr double kScale = 4294967296.0;  // 2^32
 
-/// One row's table: columns that have less than their share take the rest from one that has more.
-void make_aliases(const double* proportions,
-                  std::size_t columns,
-                  std::uint32_t* aliases,
-                  std::uint64_t* thresholds) {
-  std::vector<double> left(proportions, proportions + columns);
+}  // namespace
+
+/// Columns that have less than their share take the rest from one that has more.
+void MatrixSampler::make_aliases(std::span<const double> proportions, std::span<Column> row) {
+  const auto columns = static_cast<double>(row.size());
+  std::vector<double> left(proportions.begin(), proportions.end());
   double sum = 0.0;
   for (const double value : left) sum += value;
   std::vector<std::uint32_t> poor;
   std::vector<std::uint32_t> rich;
-  for (std::uint32_t j = 0; j < columns; ++j) {
-    left[j] = sum > 0.0 ? left[j] * static_cast<double>(columns) / sum : 1.0;
-    aliases[j] = j;
-    thresholds[j] = static_cast<std::uint64_t>(kScale);
+  for (std::uint32_t j = 0; j < row.size(); ++j) {
+    left[j] = sum > 0.0 ? left[j] * columns / sum : 1.0;
+    row[j] = {.threshold = static_cast<std::uint64_t>(kScale), .drawn = {j, j}};
     (left[j] < 1.0 ? poor : rich).push_back(j);
   }
   while (!poor.empty() && !rich.empty()) {
     const auto taker = poor.back();
     const auto giver = rich.back();
     poor.pop_back();
-    thresholds[taker] = static_cast<std::uint64_t>(left[taker] * kScale);
-    aliases[taker] = giver;
+    row[taker] = {.threshold = static_cast<std::uint64_t>(left[taker] * kScale),
+                  .drawn = {giver, taker}};
     left[giver] -= 1.0 - left[taker];
     if (left[giver] >= 1.0) continue;
     rich.pop_back();
@@ -39,35 +38,33 @@ void make_aliases(const double* proportions,
   }
 }
 
-}  // namespace
-
 MatrixSampler::MatrixSampler(std::vector<double> proportions,
                              std::vector<std::int64_t> row_totals,
                              std::size_t columns)
-    : row_totals_{std::move(row_totals)},
-      columns_{columns},
-      aliases_(proportions.size()),
-      thresholds_(proportions.size()) {
+    : row_totals_{std::move(row_totals)}, columns_{columns}, table_(proportions.size()) {
   assert(proportions.size() == row_totals_.size() * columns);
+  const std::span<const double> all{proportions};
   for (std::size_t i = 0; i < row_totals_.size(); ++i) {
     const auto row = i * columns;
-    make_aliases(
-        proportions.data() + row, columns, aliases_.data() + row, thresholds_.data() + row);
+    make_aliases(all.subspan(row, columns), std::span{table_}.subspan(row, columns));
   }
 }
 
 void MatrixSampler::draw(Random& random, CellCounts& counts) const {
   counts.assign(row_totals_.size() * columns_, 0);
+  auto bare = random;  // in registers, where no write to the counts can reach it
   for (std::size_t i = 0; i < row_totals_.size(); ++i) {
-    const auto row = i * columns_;
+    const auto* const columns = table_.data() + i * columns_;
+    auto* const row = counts.data() + i * columns_;
     for (std::int64_t k = 0; k < row_totals_[i]; ++k) {
-      const auto bits = random.bits();
+      const auto bits = bare.bits();
       // the upper half chooses a column (its bias is below 1e-6 for fewer than 4,000 columns)
       const auto column = static_cast<std::size_t>(((bits >> 32U) * columns_) >> 32U);
-      const bool itself = (bits & 0xffffffffU) < thresholds_[row + column];
-      ++counts[row + (itself ? column : aliases_[row + column])];
+      const auto& [threshold, drawn] = columns[column];
+      ++row[drawn[(bits & 0xffffffffU) < threshold ? 1 : 0]];
     }
   }
+  random = bare;
 }
 
 std::vector<double> smoothed_proportions(const CellCounts& counts, std::size_t columns) {

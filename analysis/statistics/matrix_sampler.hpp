@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "analysis/statistics/confusion_matrix.hpp"
@@ -23,10 +25,18 @@ class MatrixSampler {
   void draw(Random& random, CellCounts& counts) const;
 
  private:
+  struct Column {
+    std::uint64_t threshold = 0;  ///< of 2^32
+    /// From the threshold on its alias, below it the column itself; chosen by index, because no
+    /// processor can foresee which it will be.
+    std::array<std::uint32_t, 2> drawn{};
+  };
+
+  static void make_aliases(std::span<const double> proportions, std::span<Column> row);
+
   std::vector<std::int64_t> row_totals_;
   std::size_t columns_;
-  std::vector<std::uint32_t> aliases_;     ///< row by row
-  std::vector<std::uint64_t> thresholds_;  ///< of 2^32: below it the column itself, else its alias
+  std::vector<Column> table_;  ///< row by row
 };
 
 /// The proportions of a matrix with something for cells that did not occur: in each row as much as

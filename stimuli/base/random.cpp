@@ -39,19 +39,6 @@ Random::Random(Seed seed) : state_{} {
   for (auto& word : state_) word = split_mix(seed);
 }
 
-std::uint64_t Random::bits() {
-  auto& s = state_;
-  const std::uint64_t result = std::rotl(s[1] * 5, 7) * 9;
-  const std::uint64_t shifted = s[1] << 17U;
-  s[2] ^= s[0];
-  s[3] ^= s[1];
-  s[1] ^= s[2];
-  s[0] ^= s[3];
-  s[2] ^= shifted;
-  s[3] = std::rotl(s[3], 45);
-  return result;
-}
-
 double Random::uniform() {
   return static_cast<double>(bits() >> 11U) * 0x1p-53;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -45,6 +46,19 @@ class Random {
   double spare_ = 0.0;
   bool has_spare_ = false;
 };
+
+inline std::uint64_t Random::bits() {
+  auto& s = state_;
+  const std::uint64_t result = std::rotl(s[1] * 5, 7) * 9;
+  const std::uint64_t shifted = s[1] << 17U;
+  s[2] ^= s[0];
+  s[3] ^= s[1];
+  s[1] ^= s[2];
+  s[0] ^= s[3];
+  s[2] ^= shifted;
+  s[3] = std::rotl(s[3], 45);
+  return result;
+}
 
 /// Every order equally likely (Fisher & Yates).
 template <typename T>

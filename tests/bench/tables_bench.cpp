@@ -2,6 +2,7 @@
 // proportions, confusions, information.
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "analysis/scoring/lexicon.hpp"
 #include "stimuli/base/asset.hpp"
 #include "stimuli/base/random.hpp"
+#include "tests/support/written_files.hpp"
 
 namespace bimodal::analysis {
 namespace {
@@ -41,7 +43,7 @@ std::string answer(const std::vector<std::string>& words, std::size_t word, Rand
   return words[random.below(words.size())];
 }
 
-/// Each participant hears and sees every word in every condition.
+/// Each participant meets every word in every condition.
 std::string table_of_trials(std::size_t participants) {
   const auto words = word_list();
   Random random{1};
@@ -77,16 +79,18 @@ double peak_memory_mb() {
 }
 
 /// Reads, scores and counts; as many resamples as the report takes.
-Results results_of(const std::string& table, const Dictionary& dictionary) {
+Results results_of(const std::filesystem::path& table, const Dictionary& dictionary) {
   std::vector<TrialsOfFile> files;
-  files.push_back(parse_trials(table, "trials.csv"));
+  files.push_back(read_trials(table));
   auto dataset = gather(std::move(files));
   pronounce_stimuli(dataset.trials, dictionary);
   return analyse(std::move(dataset), dictionary, {.file = "words.dict", .sha256 = ""});
 }
 
 void all_tables(benchmark::State& state) {
-  const auto table = table_of_trials(static_cast<std::size_t>(state.range(0)));
+  const WrittenFiles folder;
+  const auto table =
+      folder.write("trials.csv", table_of_trials(static_cast<std::size_t>(state.range(0))));
   const Dictionary dictionary{Dictionary::installed()};
   std::size_t trials = 0;
   std::size_t bytes = 0;
