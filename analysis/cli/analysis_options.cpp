@@ -186,6 +186,8 @@ Results analyse_request(const AnalysisRequest& request, Console console) {
                  {.rules = request.rules,
                   .bootstrap = request.bootstrap,
                   .criteria = request.criteria,
+                  .faces = request.faces,
+                  .comparison = request.comparison,
                   .progress = [&](std::string_view step) { progress.show(step); }});
 }
 

@@ -21,6 +21,7 @@ namespace {
 
 struct ReportRequest {
   AnalysisRequest analysis;
+  FaceConditions faces;  ///< both empty: none are compared
   std::filesystem::path folder;
   std::vector<std::string> pictures;
   std::vector<std::string> sounds;
@@ -30,12 +31,15 @@ constexpr const char* kExamples = R"(Examples:
   bimodal-analysis report session.sqlite -o report
   bimodal-analysis report P*.sqlite -o report --exclude-flagged --draws 10000
   bimodal-analysis report s.sqlite -o report --condition visual --participant P01
+  bimodal-analysis report P*.sqlite -o report --natural V_nat --synthetic V_syn
   bimodal-analysis report s.sqlite -o report \
       --attach-picture 'trial.png:Trial 12, mid-word' --attach-sound 'trial.wav:Trial 12'
 
 Writes report.html (one file, no network needed), the same as report.pdf, every figure
-as SVG and PDF in figures/ (85 and 174 mm wide), trials.csv, words.csv, proportions.csv, confusions.csv, likeness.csv, exclusions.csv, columns.csv (what every
-column means) and manifest.json into the folder; prints the page's path last.)";
+as SVG and PDF in figures/ (85 and 174 mm wide), trials.csv, words.csv, proportions.csv,
+benefits.csv, confusions.csv, likeness.csv, comparison.csv and contrasts.csv (of the two
+faces named), exclusions.csv, columns.csv (what every column means) and manifest.json
+into the folder; prints the page's path last.)";
 
 std::string selection_in_words(const Selection& selection) {
   std::string words =
@@ -67,9 +71,33 @@ std::vector<Attachment> read_attachments(const ReportRequest& request) {
   return attachments;
 }
 
+void add_face_options(CLI::App& verb, ReportRequest& request) {
+  auto* const natural = verb.add_option(
+      "--natural", request.faces.natural, "Condition with the natural face, to be compared");
+  auto* const synthetic =
+      verb.add_option("--synthetic", request.faces.synthetic, "Condition with the synthetic face");
+  natural->needs(synthetic);
+  synthetic->needs(natural);
+  verb.add_option_function<int>(
+          "--resamples,--draws",
+          [&request](int resamples) {
+            request.analysis.bootstrap.draws = resamples;
+            request.analysis.comparison.permutations = resamples;
+          },
+          "Bootstrap draws, and permutations [2000 and 10000]")
+      ->check(CLI::Range(100, 1'000'000));
+}
+
+AnalysisRequest analysis_of(const ReportRequest& request) {
+  auto analysis = request.analysis;
+  analysis.comparison.seed = analysis.bootstrap.seed;
+  if (!request.faces.natural.empty()) analysis.faces = request.faces;
+  return analysis;
+}
+
 ExitCode make_report(const ReportRequest& request, Console console) {
   const auto attachments = read_attachments(request);
-  const auto results = analyse_request(request.analysis, console);
+  const auto results = analyse_request(analysis_of(request), console);
   if (results.dataset.trials.empty()) {
     console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
     return ExitCode::Findings;
@@ -115,9 +143,7 @@ void add_report_verb(CLI::App& program, Verb& chosen) {
                    request->analysis.selection.conditions,
                    "Only this condition (may be repeated)")
       ->allow_extra_args(false);
-  verb->add_option("--resamples,--draws", request->analysis.bootstrap.draws, "Bootstrap draws")
-      ->capture_default_str()
-      ->check(CLI::Range(100, 1'000'000));
+  add_face_options(*verb, *request);
   add_seed_option(*verb, request->analysis.bootstrap.seed);
   verb->add_option("--attach-picture", request->pictures, "PNG or JPEG as FILE:caption")
       ->allow_extra_args(false);

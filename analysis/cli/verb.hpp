@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,8 @@ struct AnalysisRequest {
   std::filesystem::path dictionary;  ///< empty: the installed one
   ScoringRules rules;
   CrossedBootstrap::Options bootstrap;
+  std::optional<FaceConditions> faces;  ///< absent: no two faces are compared
+  Resampling comparison;
 };
 
 /// What the user asked for, filled by the command line; run after it has been read.

@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kRate = 0.05;          ///< false discovery rate of the cells that are listed
 constexpr std::size_t kListed = 10;     ///< contrasts and cells in the text
 constexpr double kWorthTelling = 0.05;  ///< loss of phi
 
@@ -38,30 +37,6 @@ std::string three_decimals(const std::optional<double>& value) {
   auto text = fmt::format("{:.3f}", std::abs(*value));
   if (text.starts_with("0.")) text.erase(0, 1);
   return (*value < 0.0 ? "-" : "") + text;
-}
-
-/// A cell that differs, by where it is in the matrices.
-struct DifferentCell {
-  std::size_t stimulus = 0;
-  std::size_t response = 0;
-  double difference = 0.0;
-  double q = 1.0;
-};
-
-/// The largest difference first.
-std::vector<DifferentCell> significant_cells(const FaceComparison& comparison) {
-  std::vector<DifferentCell> cells;
-  const auto columns = comparison.one_matrix.responses().size();
-  const auto& permutation = comparison.permutation;
-  for (std::size_t cell = 0; cell < permutation.cell_q.size(); ++cell) {
-    const auto& q = permutation.cell_q[cell];
-    if (!q || *q > kRate) continue;
-    cells.push_back({cell / columns, cell % columns, permutation.difference[cell], *q});
-  }
-  std::ranges::stable_sort(cells, std::ranges::greater{}, [](const DifferentCell& cell) {
-    return std::abs(cell.difference);
-  });
-  return cells;
 }
 
 std::string accuracy_lines(const FaceComparison& comparison) {

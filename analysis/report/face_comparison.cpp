@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "analysis/report/confusions.hpp"
+#include "analysis/report/results.hpp"
 #include "analysis/scoring/label_pair.hpp"
 #include "stimuli/base/error.hpp"
 
@@ -218,6 +219,7 @@ FaceComparison compare_faces(const Results& results,
   }
   auto found = describe_matrices(tables[0].matrix, tables[1].matrix, resampling);
   found.title = title(unit);
+  found.unit = unit;
   found.one = one;
   found.other = other;
   const auto collected = collect(results, unit, found);
@@ -241,6 +243,40 @@ FaceComparison compare_faces(const Results& results,
                                          resampling.seed);
   estimate_ratio(collected, resampling, found);
   return found;
+}
+
+std::vector<FaceComparison> compare_faces(const Results& results,
+                                          const std::string& one,
+                                          const std::string& other,
+                                          const Resampling& resampling) {
+  require_condition(results, one);
+  require_condition(results, other);
+  const auto has_responses = [&](Unit unit, const std::string& condition) {
+    return std::ranges::any_of(results.confusions, [&](const UnitConfusions& table) {
+      return table.unit == unit && table.condition == condition && table.matrix.total() > 0.0;
+    });
+  };
+  std::vector<FaceComparison> comparisons;
+  for (const Unit unit : kPlaceUnits) {
+    if (!has_responses(unit, one) || !has_responses(unit, other)) continue;
+    comparisons.push_back(compare_faces(results, unit, one, other, resampling));
+  }
+  return comparisons;
+}
+
+std::vector<DifferentCell> significant_cells(const FaceComparison& comparison) {
+  std::vector<DifferentCell> cells;
+  const auto columns = comparison.one_matrix.responses().size();
+  const auto& permutation = comparison.permutation;
+  for (std::size_t cell = 0; cell < permutation.cell_q.size(); ++cell) {
+    const auto& q = permutation.cell_q[cell];
+    if (!q || *q > kFalseDiscoveryRate) continue;
+    cells.push_back({cell / columns, cell % columns, permutation.difference[cell], *q});
+  }
+  std::ranges::stable_sort(cells, std::ranges::greater{}, [](const DifferentCell& cell) {
+    return std::abs(cell.difference);
+  });
+  return cells;
 }
 
 }  // namespace bimodal::analysis

@@ -5,13 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "analysis/report/results.hpp"
+#include "analysis/scoring/unit.hpp"
 #include "analysis/statistics/condition_permutation.hpp"
 #include "analysis/statistics/contrasts.hpp"
+#include "analysis/statistics/interval.hpp"
 #include "analysis/statistics/matrix_comparison.hpp"
 #include "analysis/statistics/noise_ceiling.hpp"
 
 namespace bimodal::analysis {
+
+struct Results;
 
 /// How a comparison draws at random.
 struct Resampling {
@@ -23,8 +26,9 @@ struct Resampling {
 /// How alike the confusions of two conditions are: of a natural face ("one"), by which the other is
 /// measured, and of a synthetic one ("other").
 struct FaceComparison {
-  std::string title;  ///< "Initial consonants"
-  std::string one;    ///< the conditions' or files' names
+  std::string title;         ///< "Initial consonants"
+  std::optional<Unit> unit;  ///< absent: two matrices, of whatever
+  std::string one;           ///< the conditions' or files' names
   std::string other;
   ConfusionMatrix one_matrix;  ///< with the same labels
   ConfusionMatrix other_matrix;
@@ -54,5 +58,26 @@ struct FaceComparison {
                                            const std::string& one,
                                            const std::string& other,
                                            const Resampling& resampling);
+
+/// The same in every unit of kPlaceUnits that has responses in both conditions. Throws Error if a
+/// condition does not occur.
+[[nodiscard]] std::vector<FaceComparison> compare_faces(const Results& results,
+                                                        const std::string& one,
+                                                        const std::string& other,
+                                                        const Resampling& resampling);
+
+/// A cell in which two conditions differ, by where it is in their matrices.
+struct DifferentCell {
+  std::size_t stimulus = 0;
+  std::size_t response = 0;
+  double difference = 0.0;  ///< of the row proportions, one less other
+  double q = 1.0;
+};
+
+/// At this false discovery rate cells differ.
+inline constexpr double kFalseDiscoveryRate = 0.05;
+
+/// The cells that differ by the permutation, the largest difference first.
+[[nodiscard]] std::vector<DifferentCell> significant_cells(const FaceComparison& comparison);
 
 }  // namespace bimodal::analysis

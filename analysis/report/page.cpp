@@ -50,8 +50,11 @@ std::string report_page(const Results& results,
   page += part_of_warnings(results);
   page += part_of_words(results, numbers);
   page += part_of_proportions(results);
+  page += part_of_faces(results, numbers);
+  page += part_of_benefits(results, numbers);
   page += part_of_attachments(attachments);
   page += part_of_confusions(results, numbers);
+  page += part_of_features(results, numbers);
   page += part_of_structure(results, numbers);
   page += part_of_likeness(results);
   page += part_of_data(results);

@@ -24,6 +24,9 @@ class FigureNumbers {
 [[nodiscard]] std::string part_of_warnings(const Results& results);
 [[nodiscard]] std::string part_of_words(const Results& results, FigureNumbers& numbers);
 [[nodiscard]] std::string part_of_proportions(const Results& results);
+[[nodiscard]] std::string part_of_benefits(const Results& results, FigureNumbers& numbers);
+[[nodiscard]] std::string part_of_faces(const Results& results, FigureNumbers& numbers);
+[[nodiscard]] std::string part_of_features(const Results& results, FigureNumbers& numbers);
 [[nodiscard]] std::string part_of_confusions(const Results& results, FigureNumbers& numbers);
 [[nodiscard]] std::string part_of_structure(const Results& results, FigureNumbers& numbers);
 [[nodiscard]] std::string part_of_likeness(const Results& results);
@@ -33,5 +36,12 @@ class FigureNumbers {
 
 /// ".55 [.50, .60]", or the proportion alone, or a dash.
 [[nodiscard]] std::string print_estimate(const Proportion& proportion);
+
+/// "&#8722;.12": a correlation, proportion or difference without leading zero, or a dash.
+[[nodiscard]] std::string print_signed(const std::optional<double>& value);
+
+/// "&#8722;.12 [&#8722;.30, .05]"; without interval the value alone.
+[[nodiscard]] std::string print_signed(const std::optional<double>& value,
+                                       const std::optional<Interval>& interval);
 
 }  // namespace bimodal::analysis

@@ -112,10 +112,11 @@ std::string table_of_individuals(const Results& results,
                                  std::string_view interval) {
   std::string heads;
   for (const auto& condition : results.conditions) {
-    heads += fmt::format("<th class='estimate'>{}</th>", escaped(condition.name));
+    heads += fmt::format("<th scope='col' class='estimate'>{}</th>", escaped(condition.name));
   }
   return fmt::format(
-      "<h3>{}, each participant</h3>\n<table><thead><tr><th>Participant</th>{}</tr></thead>\n"
+      "<h3>{}, each participant</h3>\n<table><thead><tr><th "
+      "scope='col'>Participant</th>{}</tr></thead>\n"
       "<tbody>{}</tbody></table>\n<p class='note'>Proportion correct [95 % interval: {}] and "
       "counts.</p>\n",
       title_of(measure),
@@ -137,23 +138,40 @@ std::string print_estimate(const Proportion& proportion) {
   return text;
 }
 
+std::string print_signed(const std::optional<double>& value) {
+  if (!value) return "&#8211;";
+  const auto text = print_proportion(std::abs(*value));
+  return (*value < 0 && text != ".00" ? "&#8722;" : "") + text;
+}
+
+std::string print_signed(const std::optional<double>& value,
+                         const std::optional<Interval>& interval) {
+  auto text = print_signed(value);
+  if (value && interval) {
+    text += fmt::format(" [{}, {}]", print_signed(interval->low), print_signed(interval->high));
+  }
+  return text;
+}
+
 std::string part_of_words(const Results& results, FigureNumbers& numbers) {
   const bool tolerated = shows_tolerated(results);
   return fmt::format(
       "<h2 id='words'>Words correct</h2>\n<figure>{}<figcaption><b>Figure {}.</b> Proportion of "
       "words identified correctly. Bar and number: all trials of the condition pooled, with its "
       "95 % interval (methods in the table of proportions); dots: participants.</figcaption>"
-      "</figure>\n<h3>What was answered</h3>\n<table><thead><tr><th>Condition</th>"
-      "<th>Presented</th><th class='number'>Participants</th><th class='number'>Trials</th>"
-      "<th class='number'>Correct</th><th class='number'>Homophone</th>{}"
-      "<th class='number'>Wrong word</th><th class='number'>Not in dictionary</th>"
-      "<th class='number'>Blank</th></tr></thead>\n<tbody>{}</tbody></table>\n"
+      "</figure>\n<h3>What was answered</h3>\n<table><thead><tr><th scope='col'>Condition</th>"
+      "<th scope='col'>Presented</th><th scope='col' class='number'>Participants</th><th "
+      "scope='col' class='number'>Trials</th>"
+      "<th scope='col' class='number'>Correct</th><th scope='col' class='number'>Homophone</th>{}"
+      "<th scope='col' class='number'>Wrong word</th><th scope='col' class='number'>Not in "
+      "dictionary</th>"
+      "<th scope='col' class='number'>Blank</th></tr></thead>\n<tbody>{}</tbody></table>\n"
       "<p class='note'>Each trial is in one of the last {} columns. Correct words are the "
       "first "
       "{} of them.</p>\n",
       figure_of_words(results, PaperWidth::TwoColumns),
       numbers.next(),
-      tolerated ? "<th class='number'>Tolerated</th>" : "",
+      tolerated ? "<th scope='col' class='number'>Tolerated</th>" : "",
       rows_of_answers(results),
       tolerated ? "six" : "five",
       tolerated ? "three" : "two");
@@ -162,8 +180,10 @@ std::string part_of_words(const Results& results, FigureNumbers& numbers) {
 std::string part_of_proportions(const Results& results) {
   return fmt::format(
              "<h2 id='proportions'>Proportions correct</h2>\n<h3>All participants</h3>\n"
-             "<table><thead><tr><th>Of</th><th>Condition</th><th class='number'>Correct / judged"
-             "</th><th class='estimate'>Proportion [95 % interval]</th><th>Interval by</th></tr>"
+             "<table><thead><tr><th scope='col'>Of</th><th scope='col'>Condition</th><th "
+             "scope='col' class='number'>Correct / judged"
+             "</th><th scope='col' class='estimate'>Proportion [95 % interval]</th><th "
+             "scope='col'>Interval by</th></tr>"
              "</thead>\n<tbody>{}</tbody></table>\n"
              "<p class='note'>Phonemes: all phones of the stimulus; answers that are not in the "
              "dictionary are left out, blank ones count as wrong. Consonants and vowels: as in the "
@@ -215,10 +235,6 @@ std::string part_of_confusions(const Results& results, FigureNumbers& numbers) {
 
 std::string part_of_likeness(const Results& results) {
   if (results.likeness.empty()) return {};
-  const auto print = [](const std::optional<double>& value) {
-    if (!value) return std::string{"&#8211;"};
-    return (*value < 0 ? "&#8722;" : "") + print_proportion(std::abs(*value));
-  };
   std::string rows;
   for (const auto& row : results.likeness) {
     rows += fmt::format(
@@ -227,17 +243,19 @@ std::string part_of_likeness(const Results& results) {
         title(row.unit),
         escaped(row.one),
         escaped(row.other),
-        print(row.likeness.correlation),
-        print(row.likeness.rms_deviation),
+        print_signed(row.likeness.correlation),
+        print_signed(row.likeness.rms_deviation),
         row.likeness.cells,
         row.likeness.cells_used,
         row.trials_of_one,
         row.trials_of_other);
   }
   return fmt::format(
-      "<h2 id='likeness'>How alike the errors are</h2>\n<table><thead><tr><th>Unit</th>"
-      "<th>Conditions</th><th class='number'>Correlation <i>r</i></th><th class='number'>RMS "
-      "difference</th><th class='number'>Cells (not empty)</th><th "
+      "<h2 id='likeness'>How alike the errors of any two conditions "
+      "are</h2>\n<table><thead><tr><th scope='col'>Unit</th>"
+      "<th scope='col'>Conditions</th><th scope='col' class='number'>Correlation "
+      "<i>r</i></th><th scope='col' class='number'>RMS "
+      "difference</th><th scope='col' class='number'>Cells (not empty)</th><th scope='col' "
       "class='number'>Responses</th>"
       "</tr></thead>\n<tbody>{}</tbody></table>\n<p class='note'>Over off-diagonal cells (phones "
       "and <i>deleted</i>) of row proportions. Descriptive: cells empty in both conditions raise "

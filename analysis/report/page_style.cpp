@@ -24,6 +24,8 @@ p { margin: 8px 0; max-width: 78ch; }
 table { border-collapse: collapse; margin: 10px 0 4px; font-size: 14px;
   border-top: 1.5px solid var(--ink); border-bottom: 1.5px solid var(--ink); }
 th, td { padding: 4px 12px 4px 0; text-align: left; vertical-align: top; }
+caption { text-align: left; font-weight: 600; font-size: 14px; padding-bottom: 4px; }
+tbody th { font-weight: 600; }
 thead th { border-bottom: 1px solid var(--ink); font-weight: 600; vertical-align: bottom; }
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums;
   white-space: nowrap; }

@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "analysis/report/figures/benefit_figure.hpp"
 #include "analysis/report/figures/dendrogram.hpp"
+#include "analysis/report/figures/feature_figure.hpp"
 #include "analysis/report/figures/heat_map.hpp"
 #include "analysis/report/figures/layout_figure.hpp"
+#include "analysis/report/figures/pair_figure.hpp"
 #include "analysis/report/figures/proportion_figure.hpp"
 
 namespace bimodal::analysis {
@@ -90,9 +93,87 @@ std::string figure_of_layout(const UnitConfusions& confusions, PaperWidth width)
   return layout_figure(layout_of(confusions), classes, width);
 }
 
+std::string figure_of_comparison(const FaceComparison& comparison, PaperWidth width) {
+  ConditionPair pair{.title = comparison.title,
+                     .natural = comparison.one,
+                     .synthetic = comparison.other,
+                     .natural_matrix = comparison.one_matrix,
+                     .synthetic_matrix = comparison.other_matrix,
+                     .significant = {},
+                     .test = "permutation test, false discovery rate .05"};
+  if (comparison.permutation.p) {
+    pair.significant.assign(comparison.permutation.cell_q.size(), false);
+    const auto columns = comparison.one_matrix.responses().size();
+    for (const auto& cell : significant_cells(comparison)) {
+      pair.significant[cell.stimulus * columns + cell.response] = true;
+    }
+  }
+  return pair_figure(pair, {}, width);
+}
+
+std::vector<std::string> voices_with_faces(const Results& results) {
+  std::vector<std::string> voices;
+  for (const auto& row : results.benefits) {
+    if (std::ranges::find(voices, row.auditory) == voices.end()) voices.push_back(row.auditory);
+  }
+  return voices;
+}
+
+std::string figure_of_benefits(const Results& results,
+                               const std::string& auditory,
+                               PaperWidth width) {
+  std::vector<BenefitSeries> series;
+  for (const auto& row : results.benefits) {
+    if (row.auditory != auditory) continue;
+    auto& one = series.emplace_back();
+    one.condition = row.bimodal;
+    for (const auto& own : row.own) {
+      one.points.push_back({own.participant, own.auditory, own.bimodal});
+    }
+  }
+  return benefit_figure(series, auditory, width);
+}
+
+std::string figure_of_features(const Results& results, Unit unit, PaperWidth width) {
+  std::vector<FeatureProfile> profiles;
+  for (const auto& table : results.features) {
+    if (table.unit != unit) continue;
+    auto& profile = profiles.emplace_back();
+    profile.condition = table.condition;
+    for (const auto& feature : table.information.features) {
+      auto& share = profile.shares.emplace_back();
+      share.feature = feature.feature;
+      if (!feature.information || !feature.information->relative) continue;
+      share.observed = feature.information->relative;
+      share.miller_madow =
+          feature.information->miller_madow / feature.information->stimulus_entropy;
+    }
+  }
+  return feature_figure(profiles, width);
+}
+
 std::vector<ReportFigure> report_figures(const Results& results) {
   std::vector<ReportFigure> figures{
       {"words", [&results](PaperWidth width) { return figure_of_words(results, width); }}};
+  for (const auto& comparison : results.comparisons) {
+    figures.push_back(
+        {fmt::format("faces-{}", name(comparison.unit.value())),
+         [&comparison](PaperWidth width) { return figure_of_comparison(comparison, width); }});
+  }
+  for (const auto& voice : voices_with_faces(results)) {
+    figures.push_back({"benefit-" + as_file_name(voice), [&results, voice](PaperWidth width) {
+                         return figure_of_benefits(results, voice, width);
+                       }});
+  }
+  for (const Unit unit : kPlaceUnits) {
+    if (std::ranges::find(results.features, unit, &FeatureProfileTable::unit) ==
+        results.features.end()) {
+      continue;
+    }
+    figures.push_back({fmt::format("features-{}", name(unit)), [&results, unit](PaperWidth width) {
+                         return figure_of_features(results, unit, width);
+                       }});
+  }
   for (const auto& confusions : results.confusions) {
     const auto stem =
         fmt::format("{}-{}", name(confusions.unit), as_file_name(confusions.condition));

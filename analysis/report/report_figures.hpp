@@ -31,14 +31,28 @@ inline constexpr double kKeptByClasses = 0.75;
 [[nodiscard]] std::string figure_of_clusters(const UnitConfusions& confusions, PaperWidth width);
 [[nodiscard]] std::string figure_of_layout(const UnitConfusions& confusions, PaperWidth width);
 
+/// Two faces side by side, and their difference with the cells that differ outlined.
+[[nodiscard]] std::string figure_of_comparison(const FaceComparison& comparison, PaperWidth width);
+
+/// The voice-alone conditions to which some condition adds a face, in the benefits' order.
+[[nodiscard]] std::vector<std::string> voices_with_faces(const Results& results);
+
+/// The benefit of every face that is added to one voice-alone condition: a mark a participant.
+[[nodiscard]] std::string figure_of_benefits(const Results& results,
+                                             const std::string& auditory,
+                                             PaperWidth width);
+
+/// How much of voicing, place and manner came through, for one unit in all its conditions.
+[[nodiscard]] std::string figure_of_features(const Results& results, Unit unit, PaperWidth width);
+
 /// One of the report's figures, to be drawn at any width; borrows the results.
 struct ReportFigure {
   std::string name;  ///< as its files are named, without extension
   std::function<std::string(PaperWidth)> draw;
 };
 
-/// All figures that become files of their own: words, and every confusion matrix with its
-/// dendrogram and layout.
+/// All figures that become files of their own: words, benefits, the two faces, features, and every
+/// confusion matrix with its dendrogram and layout.
 [[nodiscard]] std::vector<ReportFigure> report_figures(const Results& results);
 
 }  // namespace bimodal::analysis

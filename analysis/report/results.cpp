@@ -187,6 +187,7 @@ Results analyse(Dataset dataset,
   results.rules = options.rules;
   results.bootstrap = options.bootstrap;
   results.faces = options.faces;
+  results.comparison = options.comparison;
   const auto& trials = results.dataset.trials;
   options.progress(fmt::format("scoring {} answers", trials.size()));
   results.scores = score_all(trials, dictionary, options.rules);
@@ -208,6 +209,12 @@ Results analyse(Dataset dataset,
   results.likeness = compare_conditions(results.confusions);
   results.benefits = tabulate_benefits(results);
   results.shares = tabulate_shares(results);
+  results.features = tabulate_features(results.confusions);
+  if (results.faces && !results.dataset.trials.empty()) {
+    options.progress("comparing the two faces");
+    results.comparisons = compare_faces(
+        results, results.faces->natural, results.faces->synthetic, options.comparison);
+  }
   warn(results);
   return results;
 }

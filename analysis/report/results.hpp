@@ -10,6 +10,8 @@
 #include "analysis/data/dataset.hpp"
 #include "analysis/report/benefits.hpp"
 #include "analysis/report/confusions.hpp"
+#include "analysis/report/face_comparison.hpp"
+#include "analysis/report/feature_profiles.hpp"
 #include "analysis/report/proportions.hpp"
 
 namespace bimodal::analysis {
@@ -53,6 +55,7 @@ struct AnalysisOptions {
   CrossedBootstrap::Options bootstrap;
   std::vector<Criterion> criteria;
   std::optional<FaceConditions> faces;  ///< absent: nobody said which they are
+  Resampling comparison;                ///< of the two faces
   /// Told what is being done; for a progress display.
   std::function<void(std::string_view step)> progress = [](std::string_view) {};
 };
@@ -63,7 +66,8 @@ struct Results {
   DictionarySource dictionary;
   ScoringRules rules;
   CrossedBootstrap::Options bootstrap;
-  std::optional<FaceConditions> faces;       ///< as named
+  std::optional<FaceConditions> faces;  ///< as named
+  Resampling comparison;
   std::vector<Score> scores;                 ///< of dataset.trials, one by one
   std::vector<std::string> participants;     ///< with trials, by their numbers
   std::vector<ConditionSummary> conditions;  ///< heard, seen, both; then by S/N and name
@@ -71,9 +75,11 @@ struct Results {
   std::vector<Proportion> individual;        ///< measures within participants within conditions
   std::vector<UnitConfusions> confusions;    ///< conditions within units
   std::vector<ConditionLikeness> likeness;
-  std::vector<BenefitRow> benefits;   ///< bimodal conditions in the order of conditions
-  std::vector<ShareRow> shares;       ///< of natural benefits
-  std::vector<std::string> warnings;  ///< the dataset's, and those of the numbers
+  std::vector<BenefitRow> benefits;           ///< bimodal conditions in the order of conditions
+  std::vector<FeatureProfileTable> features;  ///< conditions within consonants
+  std::vector<FaceComparison> comparisons;    ///< of the faces named, by units
+  std::vector<ShareRow> shares;               ///< of natural benefits
+  std::vector<std::string> warnings;          ///< the dataset's, and those of the numbers
 };
 
 [[nodiscard]] Results analyse(Dataset dataset,

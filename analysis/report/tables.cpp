@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/columns.hpp"
+#include "analysis/report/comparison_table.hpp"
 #include "analysis/report/csv.hpp"
 #include "stimuli/base/milliseconds.hpp"
 
@@ -207,6 +208,82 @@ ReportFile likeness_table(const Results& results) {
   return std::move(table).take();
 }
 
+ReportFile benefits_table(const Results& results) {
+  Table table{"benefits"};
+  const auto low = [](const std::optional<Interval>& interval) {
+    return interval ? CsvField{interval->low} : CsvField{};
+  };
+  const auto high = [](const std::optional<Interval>& interval) {
+    return interval ? CsvField{interval->high} : CsvField{};
+  };
+  for (const auto& row : results.benefits) {
+    table.add({text(row.bimodal),
+               text(row.auditory),
+               row.visual.empty() ? CsvField{} : text(row.visual),
+               count(row.participants),
+               count(row.words),
+               count(row.n_auditory),
+               count(row.n_visual),
+               count(row.n),
+               row.a,
+               number(row.v),
+               row.av,
+               row.benefit.gain,
+               low(row.gain_interval),
+               high(row.gain_interval),
+               number(row.benefit.relative),
+               low(row.relative_interval),
+               high(row.relative_interval),
+               number(row.benefit.log_odds),
+               number(row.benefit.excess),
+               text(row.method)});
+  }
+  return std::move(table).take();
+}
+
+ReportFile comparison_table(const Results& results) {
+  Table table{"comparison"};
+  for (const auto& comparison : results.comparisons) {
+    const auto& one = comparison.one_matrix;
+    const auto& other = comparison.other_matrix;
+    for (std::size_t i = 0; i < one.stimuli().size(); ++i) {
+      for (std::size_t j = 0; j < one.responses().size(); ++j) {
+        const auto cell = i * one.responses().size() + j;
+        table.add({name(comparison.unit.value()),
+                   text(comparison.one),
+                   text(comparison.other),
+                   text(one.stimuli()[i]),
+                   text(one.responses()[j]),
+                   one.count(i, j),
+                   other.count(i, j),
+                   number(one.proportion(i, j)),
+                   number(other.proportion(i, j)),
+                   number(comparison.permutation.cell_p.at(cell)),
+                   number(comparison.permutation.cell_q.at(cell))});
+      }
+    }
+  }
+  return std::move(table).take();
+}
+
+ReportFile contrasts_table(const Results& results) {
+  Table table{"contrasts"};
+  for (const auto& comparison : results.comparisons) {
+    for (const auto& contrast : comparison.contrasts) {
+      table.add({name(comparison.unit.value()),
+                 text(contrast.stimulus),
+                 text(contrast.counterpart),
+                 contrast.one,
+                 contrast.other,
+                 contrast.loss(),
+                 contrast.confused_one,
+                 contrast.confused_other,
+                 contrast_in_words(contrast, comparison.one, comparison.other)});
+    }
+  }
+  return std::move(table).take();
+}
+
 ReportFile exclusions_table(const Results& results) {
   Table table{"exclusions"};
   const auto add = [&](std::string_view what, std::string_view condition, std::int64_t number) {
@@ -243,6 +320,13 @@ ReportFile manifest(const Results& results, const Making& making) {
   json["made_utc"] = making.made_utc;
   json["selection"] = making.selection;
   json["bootstrap"] = {{"draws", results.bootstrap.draws}, {"seed", results.bootstrap.seed}};
+  if (results.faces) {
+    json["faces"] = {{"natural", results.faces->natural},
+                     {"synthetic", results.faces->synthetic},
+                     {"permutations", results.comparison.permutations},
+                     {"splits", results.comparison.splits},
+                     {"seed", results.comparison.seed}};
+  }
   json["scoring"] = describe_rules(results.rules);
   json["dictionary"] = {{"file", results.dictionary.file}, {"sha256", results.dictionary.sha256}};
   json["data"] = nlohmann::ordered_json::array();
@@ -264,8 +348,13 @@ std::vector<ReportFile> report_tables(const Results& results, const Making& maki
   files.push_back(trials_table(results));
   files.push_back(words_table(results));
   files.push_back(proportions_table(results));
+  files.push_back(benefits_table(results));
   files.push_back(confusions_table(results));
   files.push_back(likeness_table(results));
+  if (results.faces) {
+    files.push_back(comparison_table(results));
+    files.push_back(contrasts_table(results));
+  }
   files.push_back(exclusions_table(results));
   files.push_back(columns_table());
   files.push_back(manifest(results, making));

@@ -14,8 +14,9 @@ struct ReportFile {
   std::string content;
 };
 
-/// Tidy CSV tables (trials, words, proportions, confusions, likeness, exclusions), columns.csv that
-/// says what each of their columns means, and manifest.json: version, options, hashes of the input.
+/// Tidy CSV tables (trials, words, proportions, benefits, confusions, likeness, exclusions; where
+/// two faces are compared also comparison and contrasts), columns.csv that says what each of their
+/// columns means, and manifest.json: version, options, hashes of the input.
 [[nodiscard]] std::vector<ReportFile> report_tables(const Results& results, const Making& making);
 
 }  // namespace bimodal::analysis

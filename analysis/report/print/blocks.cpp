@@ -107,6 +107,15 @@ class Reader {
     read_figure(node, block);
   }
 
+  /// Above the table, in bold.
+  void add_caption(const xmlNode* table, Tone tone) {
+    for (const auto* child = table->children; child != nullptr; child = child->next) {
+      if (element_name(child) == "caption") {
+        add_words(Block::Kind::Term, inline_markup(child), tone);
+      }
+    }
+  }
+
   void read(const xmlNode* node, Tone tone) {
     const auto name = element_name(node);
     if (name.empty() || std::ranges::find(kNotPrinted, name) != kNotPrinted.end()) return;
@@ -115,6 +124,7 @@ class Reader {
     } else if (name == "figure" || name == "svg") {
       add_figure(node);
     } else if (name == "table") {
+      add_caption(node, tone);
       auto& block = blocks_.emplace_back();
       block.kind = Block::Kind::Table;
       read_rows(node, false, block);

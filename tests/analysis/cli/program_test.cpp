@@ -162,7 +162,7 @@ TEST_F(Program, SaysInTheReportByWhichRulesAnswersWereScored) {
   EXPECT_THAT(report({}), testing::Not(HasSubstr("olerated")));
   const auto page = report({"--tolerate", "plural"});
   EXPECT_THAT(page, HasSubstr("Tolerated: plural."));
-  EXPECT_THAT(page, HasSubstr("<th class='number'>Tolerated</th>"));
+  EXPECT_THAT(page, HasSubstr("<th scope='col' class='number'>Tolerated</th>"));
 }
 
 TEST_F(Program, SaysWhyThereIsNothingToAnalyse) {

@@ -122,7 +122,7 @@ TEST(ReportPage, TellsOfEverySessionHowFinelyTheFaceWasDrawnAndWhy) {
   results.dataset.sessions[0].face_quality_basis = "measured";
   const auto page =
       report_page(results, {}, {.program = "test", .made_utc = "now", .selection = "all"});
-  EXPECT_THAT(page, HasSubstr("<th>Face drawn</th>"));
+  EXPECT_THAT(page, HasSubstr("<th scope='col'>Face drawn</th>"));
   EXPECT_THAT(page, HasSubstr("<td>full (measured)</td>"));
   EXPECT_THAT(page, HasSubstr("<td>&#8211;</td>"));  // the other session showed none
 }
@@ -188,7 +188,7 @@ TEST(ReportPage, ShowsWhichPhonesAreAlikeWhereThreeWerePresented) {
   EXPECT_THAT(page,
               HasSubstr("<title>Layout: Initial consonants, condition visual &amp; &lt;only"));
   EXPECT_THAT(page, Not(HasSubstr("<title>Layout: Vowels")));
-  EXPECT_THAT(page, HasSubstr("<b>Figure 8. Initial consonants, condition visual"));
+  EXPECT_THAT(page, HasSubstr("<b>Figure 10. Initial consonants, condition visual"));
 }
 
 TEST(FigureFiles, AreSvgAndPdfInBothWidthsUnderPlainNames) {
@@ -199,8 +199,8 @@ TEST(FigureFiles, AreSvgAndPdfInBothWidthsUnderPlainNames) {
     const bool is_pdf = file.name.ends_with(".pdf");
     EXPECT_TRUE(file.content.starts_with(is_pdf ? "%PDF" : "<svg xmlns=")) << file.name;
   }
-  // Words, six matrices, a dendrogram and a layout.
-  EXPECT_EQ(names.size(), 9U * 4U);
+  // Words, features of initial and final consonants, six matrices, a dendrogram and a layout.
+  EXPECT_EQ(names.size(), 11U * 4U);
   EXPECT_THAT(names,
               testing::Contains("figures/consonant-initial-visual____only_-layout-85mm.pdf"));
   EXPECT_THAT(names, testing::Contains("figures/words-174mm.svg"));
@@ -215,6 +215,7 @@ TEST(ReportTables, HaveARowForEveryTrialAndSayWhatColumnsMean) {
               ElementsAre("trials.csv",
                           "words.csv",
                           "proportions.csv",
+                          "benefits.csv",
                           "confusions.csv",
                           "likeness.csv",
                           "exclusions.csv",
@@ -224,7 +225,7 @@ TEST(ReportTables, HaveARowForEveryTrialAndSayWhatColumnsMean) {
   EXPECT_THAT(files[0].content,
               HasSubstr("\"stew\",,,\"S T UW\",\"stoo, \"\"I\"\" think\",\"stooithink\",\"not in "
                         "dictionary\",0,3,,\"other\",\"other\",,500,1000,0,0,0\n"));
-  EXPECT_THAT(files[3].content,
+  EXPECT_THAT(files[4].content,
               HasSubstr("\"auditory\",\"consonant-initial\",\"B\",\"M\",1,2,0.5\n"));
 }
 
