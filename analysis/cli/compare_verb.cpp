@@ -16,7 +16,7 @@ namespace {
 
 struct CompareRequest {
   AnalysisRequest analysis;
-  std::string unit = "consonant-initial";
+  std::string unit;  ///< empty: initial consonants
   std::string one;
   std::string other;
   Resampling resampling;
@@ -51,10 +51,11 @@ Compared compare_files(const CompareRequest& request) {
                     "first, or trials with --natural and --synthetic",
                     files.size() == 1 ? "one is" : "more than two are")};
   }
-  if (!request.one.empty() || !request.other.empty()) {
+  if (!request.one.empty() || !request.other.empty() || !request.unit.empty()) {
     throw Error{
-        "comparing confusion matrices: --natural and --synthetic choose conditions of trials; of "
-        "two matrices the first is the natural face's"};
+        "comparing confusion matrices: --natural, --synthetic and --unit choose conditions of "
+        "trials; "
+        "leave them out: of two matrices the first is the natural face's"};
   }
   const auto one = read_titled_matrix(files[0]);
   const auto other = read_titled_matrix(files[1]);
@@ -74,6 +75,10 @@ Compared compare_files(const CompareRequest& request) {
   return compared;
 }
 
+Unit unit_of(const CompareRequest& request) {
+  return unit_from_name(request.unit).value_or(Unit::ConsonantInitial);
+}
+
 /// Absent, and said why, if no trial is left.
 std::optional<Compared> compare_conditions(const CompareRequest& request, Console console) {
   const auto results = analyse_request(request.analysis, console);
@@ -81,11 +86,8 @@ std::optional<Compared> compare_conditions(const CompareRequest& request, Consol
     console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
     return std::nullopt;
   }
-  Compared compared{.comparison = compare_faces(results,
-                                                unit_from_name(request.unit).value(),
-                                                request.one,
-                                                request.other,
-                                                request.resampling),
+  Compared compared{.comparison = compare_faces(
+                        results, unit_of(request), request.one, request.other, request.resampling),
                     .provenance = provenance_of(results.dataset, program_name()),
                     .warnings = results.warnings};
   return compared;
@@ -136,7 +138,7 @@ void add_compare_verb(CLI::App& program, Verb& chosen) {
   for (const auto unit : kUnits) units.emplace_back(name(unit));
   verb->add_option("--unit", request->unit, "What of the words, of trials")
       ->check(CLI::IsMember(units))
-      ->capture_default_str();
+      ->default_str("consonant-initial");
   verb->add_option("--resamples", request->resampling.permutations, "Permutations, and bootstraps")
       ->check(CLI::Range(100, 10'000'000))
       ->capture_default_str();

@@ -1,10 +1,10 @@
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "analysis/cli/choice.hpp"
 #include "analysis/cli/matrix_source.hpp"
 #include "analysis/report/exported_matrix.hpp"
 #include "analysis/report/printed_matrix.hpp"
@@ -94,25 +94,25 @@ void require_format(const ExportRequest& request) {
 }
 
 void add_export_options(CLI::App& verb, ExportRequest& request) {
-  const std::map<std::string, ExportFormat> formats{{"csv", ExportFormat::Csv},
-                                                    {"long", ExportFormat::Long},
-                                                    {"json", ExportFormat::Json},
-                                                    {"praat", ExportFormat::Praat},
-                                                    {"latex", ExportFormat::Latex},
-                                                    {"markdown", ExportFormat::Markdown}};
-  verb.add_option("--format", request.format, "csv, long, json, praat, latex or markdown")
-      ->required()
-      ->transform(CLI::CheckedTransformer(formats, CLI::ignore_case)
-                      .description("csv|long|json|praat|latex|markdown"));
-  const std::map<std::string, LabelOrder> orders{{"given", LabelOrder::Given},
-                                                 {"place", LabelOrder::Place},
-                                                 {"clusters", LabelOrder::Clusters}};
-  verb.add_option("--order",
-                  request.order,
-                  "Of rows and columns: given (default), place (of articulation, of ARPAbet), or "
-                  "clusters (as a dendrogram draws them)")
-      ->transform(
-          CLI::CheckedTransformer(orders, CLI::ignore_case).description("given|place|clusters"));
+  add_choice<ExportFormat>(verb,
+                           "--format",
+                           request.format,
+                           {{"csv", ExportFormat::Csv},
+                            {"long", ExportFormat::Long},
+                            {"json", ExportFormat::Json},
+                            {"praat", ExportFormat::Praat},
+                            {"latex", ExportFormat::Latex},
+                            {"markdown", ExportFormat::Markdown}},
+                           "What to write")
+      ->required();
+  add_choice<LabelOrder>(verb,
+                         "--order",
+                         request.order,
+                         {{"given", LabelOrder::Given},
+                          {"place", LabelOrder::Place},
+                          {"clusters", LabelOrder::Clusters}},
+                         "Of rows and columns: given (default), place (of articulation, of "
+                         "ARPAbet), or clusters (as a dendrogram draws them)");
   verb.add_flag("--proportions", request.proportions, "Row proportions instead of counts (csv)");
   verb.add_flag("--bare", request.bare, "Without the lines before the header (csv, long)");
   verb.add_option("--title", request.title, "What the matrix is called there");

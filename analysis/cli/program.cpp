@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <exception>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "analysis/cli/verb.hpp"
 #include "runner/store/store_error.hpp"
 #include "stimuli/base/error.hpp"
+#include "stimuli/base/nearest.hpp"
 
 namespace bimodal::analysis {
 
@@ -25,6 +29,20 @@ constexpr const char* kExamples = R"(Examples:
 
 Exit codes: 0 done, 1 nothing to analyse, 2 wrong usage, 3 invalid input,
 5 a data file cannot be read, 70 an error in this program.)";
+
+/// What is wrong with the first word, if it is no verb; else empty.
+std::string unknown_verb(const CLI::App& program, std::span<const std::string> arguments) {
+  if (arguments.empty() || arguments.front().starts_with('-')) return {};
+  std::vector<std::string> names;
+  for (const auto* const verb : program.get_subcommands({})) names.push_back(verb->get_name());
+  if (std::ranges::find(names, arguments.front()) != names.end()) return {};
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto meant = nearest(arguments.front(), known);
+  return fmt::format("there is no verb \"{}\"{}; the verbs are: {}",
+                     arguments.front(),
+                     meant ? fmt::format(", did you mean {}?", *meant) : std::string{},
+                     fmt::join(names, ", "));
+}
 
 ExitCode parse_and_run(std::span<const std::string> arguments, Console console) {
   CLI::App program{"What the stored sessions of bimodal mean: scores, confusion matrices, reports.",
@@ -44,6 +62,10 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Console console) 
   add_proportions_verb(program, chosen);
   add_compare_verb(program, chosen);
   add_export_verb(program, chosen);
+  if (const auto unknown = unknown_verb(program, arguments); !unknown.empty()) {
+    console.err << "bimodal-analysis: " << unknown << '\n';
+    return ExitCode::Usage;
+  }
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
     program.parse(std::move(reversed));

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "analysis/cli/output_form.hpp"
@@ -10,6 +11,7 @@
 #include "analysis/report/counted_proportions.hpp"
 #include "analysis/report/proportion_table.hpp"
 #include "stimuli/base/digest.hpp"
+#include "stimuli/base/error.hpp"
 #include "stimuli/base/lower_case.hpp"
 
 namespace bimodal::analysis {
@@ -18,7 +20,7 @@ namespace {
 
 struct ProportionsRequest {
   AnalysisRequest analysis;
-  double level = 0.95;
+  std::optional<double> level;
   std::optional<int> alternatives;
   bool by_participant = false;
   OutputForm form;
@@ -56,8 +58,9 @@ Provenance provenance_of_counts(const ProportionsRequest& request) {
 }
 
 ExitCode print_counts(const ProportionsRequest& request, Console console) {
-  const auto table = estimate_counts(
-      read_counts(request.analysis.data.front()), request.level, request.alternatives);
+  const auto table = estimate_counts(read_counts(request.analysis.data.front()),
+                                     request.level.value_or(0.95),
+                                     request.alternatives);
   return print_as(request.form,
                   {.text = [&] { return counted_proportions_text(table); },
                    .csv = [&] { return counted_proportions_csv(table); },
@@ -78,7 +81,25 @@ ExitCode print_yes_counts(const ProportionsRequest& request, Console console) {
                   console);
 }
 
+/// Options that mean something for trials only.
+void require_counts_only(const ProportionsRequest& request) {
+  const auto& analysis = request.analysis;
+  if (!request.by_participant && analysis.lexicon.empty() && analysis.dictionary.empty() &&
+      analysis.criteria.empty() && analysis.rules == ScoringRules{}) {
+    return;
+  }
+  throw Error{fmt::format(
+      "'{}' is a table of counts, which has no trials; leave out --by-participant, --lexicon, "
+      "--dictionary, --at-least and the rules of scoring",
+      analysis.data.front().string())};
+}
+
 ExitCode print_trials(const ProportionsRequest& request, Console console) {
+  if (request.level) {
+    throw Error{
+        "--level is for tables of counts; proportions of trials have intervals of 95 %; leave it "
+        "out"};
+  }
   const auto results = analyse_request(request.analysis, console);
   if (results.dataset.trials.empty()) {
     console.err << "bimodal-analysis: " << nothing_left(results.dataset) << '\n';
@@ -112,8 +133,13 @@ ExitCode print_trials(const ProportionsRequest& request, Console console) {
 ExitCode print_proportions(const ProportionsRequest& request, Console console) {
   switch (kind_of(request)) {
     case CountsKind::Successes:
+      require_counts_only(request);
       return print_counts(request, console);
     case CountsKind::Yes:
+      require_counts_only(request);
+      if (request.alternatives) {
+        throw Error{"--alternatives is for choices (columns k and n), not for yes and no"};
+      }
       return print_yes_counts(request, console);
     case CountsKind::None:
       break;
@@ -133,8 +159,8 @@ void add_proportions_verb(CLI::App& program, Verb& chosen) {
       "Data files of sessions, trials as CSV, or one CSV of counts: columns k and n, or hits, "
       "signals, false_alarms and noises");
   verb->add_option("--level", request->level, "Of confidence, of counts")
-      ->capture_default_str()
-      ->check(CLI::Range(0.5, 0.9999));
+      ->check(CLI::Range(0.5, 0.9999))
+      ->default_str("0.95");
   verb->add_option("--alternatives", request->alternatives, "Of a choice: adds d'")
       ->check(CLI::Range(2, 1000));
   verb->add_flag("--by-participant", request->by_participant, "A row for each participant too");

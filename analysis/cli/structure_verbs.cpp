@@ -1,7 +1,7 @@
-#include <map>
 #include <memory>
 #include <utility>
 
+#include "analysis/cli/choice.hpp"
 #include "analysis/cli/matrix_source.hpp"
 #include "analysis/cli/output_form.hpp"
 #include "analysis/report/structure_table.hpp"
@@ -38,13 +38,13 @@ Lays the stimuli out so that those lie near each other whose responses are alike
 Stress-1 tells how far the distances are from the dissimilarities: 0 is perfect.)";
 
 void add_measure(CLI::App& verb, StructureRequest& request) {
-  const std::map<std::string, DissimilarityMeasure> measures{
-      {"phi", DissimilarityMeasure::Phi}, {"confusion", DissimilarityMeasure::Confusion}};
-  verb.add_option("--dissimilarity",
-                  request.measure,
-                  "phi: by the whole rows (default); confusion: by how often the two are answered "
-                  "for each other")
-      ->transform(CLI::CheckedTransformer(measures, CLI::ignore_case).description("phi|confusion"));
+  add_choice<DissimilarityMeasure>(
+      verb,
+      "--dissimilarity",
+      request.measure,
+      {{"phi", DissimilarityMeasure::Phi}, {"confusion", DissimilarityMeasure::Confusion}},
+      "phi: by the whole rows (default); confusion: by how often the two are answered for each "
+      "other");
 }
 
 ExitCode print_clusters(const StructureRequest& request, Console console) {
@@ -92,11 +92,13 @@ void add_cluster_verb(CLI::App& program, Verb& chosen) {
   verb->footer(kClusterExamples);
   add_matrix_options(*verb, request->choice);
   add_measure(*verb, *request);
-  const std::map<std::string, Linkage> linkages{
-      {"single", Linkage::Single}, {"complete", Linkage::Complete}, {"average", Linkage::Average}};
-  verb->add_option("--linkage", request->linkage, "single, complete or average (default)")
-      ->transform(CLI::CheckedTransformer(linkages, CLI::ignore_case)
-                      .description("single|complete|average"));
+  add_choice<Linkage>(
+      *verb,
+      "--linkage",
+      request->linkage,
+      {{"single", Linkage::Single}, {"complete", Linkage::Complete}, {"average", Linkage::Average}},
+      "How unlike clusters are: as their nearest members, their farthest, or all "
+      "on average (default)");
   verb->add_option("--criterion",
                    request->criterion,
                    "What every class must keep of the responses to its members")

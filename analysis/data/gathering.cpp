@@ -30,6 +30,7 @@ class Sieve {
     if (!wanted(selection_.participants, trial.participant)) return left_out(participant_);
     if (!wanted(selection_.conditions, trial.condition)) return left_out(condition_);
     if (trial.excluded) return left_out(excluded_);
+    if (!response_time(trial)) ++without_time_;
     if (is_too_fast(trial)) return left_out(fast_);
     if (is_too_slow(trial)) return left_out(slow_);
     if (selection_.exclude_flagged && trial.flagged) return left_out(flagged_);
@@ -63,6 +64,15 @@ class Sieve {
     return all;
   }
 
+  /// Of rules that could not judge every trial.
+  void warn(std::vector<std::string>& warnings) const {
+    if ((!selection_.fastest && !selection_.slowest) || without_time_ == 0) return;
+    warnings.push_back(fmt::format(
+        "{} no response time, so that the limits of response times do not hold for {}.",
+        without_time_ == 1 ? "1 trial has" : fmt::format("{} trials have", without_time_),
+        without_time_ == 1 ? "it" : "them"));
+  }
+
  private:
   static bool left_out(std::int64_t& count) {
     ++count;
@@ -88,6 +98,7 @@ class Sieve {
   std::int64_t excluded_ = 0;
   std::int64_t participant_ = 0;
   std::int64_t condition_ = 0;
+  std::int64_t without_time_ = 0;
   std::int64_t fast_ = 0;
   std::int64_t slow_ = 0;
   std::int64_t flagged_ = 0;
@@ -144,6 +155,7 @@ Dataset gather(std::vector<TrialsOfFile>&& files, const Selection& selection) {
   demand_known(selection.conditions, conditions, "condition");
   demand_known(selection.participants, participants, "participant");
   dataset.exclusions = sieve.exclusions();
+  sieve.warn(dataset.warnings);
   add_cautions(dataset);
   return dataset;
 }

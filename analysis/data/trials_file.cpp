@@ -34,13 +34,6 @@ struct Alias {
 constexpr std::array kAliases = std::to_array<Alias>(
     {{"stimulus", "word"}, {"response_ms", "submitted_ms"}, {"response_ms", "rt_ms"}});
 
-char delimiter_of(std::string_view text) {
-  const auto line = text.substr(0, text.find_first_of("\r\n"));
-  if (line.find(',') != std::string_view::npos) return ',';
-  if (line.find(';') != std::string_view::npos) return ';';
-  return line.find('\t') != std::string_view::npos ? '\t' : ',';
-}
-
 using Header = std::vector<std::string>;
 
 std::optional<std::size_t> place_in(const Header& header, std::string_view column) {
@@ -62,8 +55,7 @@ std::optional<std::size_t> place_unmapped(const Header& header, std::string_view
 class TrialReader {
  public:
   TrialReader(std::string_view text, std::string_view file, const TrialMapping& mapping)
-      : csv_{text, file, mapping.delimiter == '\0' ? delimiter_of(text) : mapping.delimiter},
-        mapping_{mapping} {
+      : csv_{text, file, mapping.delimiter}, mapping_{mapping} {
     if (!is_utf8(text)) csv_.refuse("the file is not UTF-8 text", "save it as CSV, UTF-8");
   }
 
@@ -262,7 +254,7 @@ class TrialReader {
 
 bool is_trial_table(std::string_view text) {
   try {
-    const auto header = CsvReader{text, "", delimiter_of(text)}.next();
+    const auto header = CsvReader{text, ""}.next();
     return header && place_unmapped(*header, "stimulus") && place_in(*header, "response") &&
            !place_in(*header, "count") &&  // of a confusion matrix, as a list
            (place_in(*header, "participant") || place_in(*header, "condition") ||

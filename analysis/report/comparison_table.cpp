@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kListed = 10;     ///< contrasts and cells in the text
-constexpr double kWorthTelling = 0.05;  ///< loss of phi
+constexpr double kWorthTelling = 0.10;  ///< loss of phi
 
 template <typename Value>
 Json optional_json(const std::optional<Value>& value) {
@@ -64,6 +65,31 @@ std::string accuracy_lines(const FaceComparison& comparison) {
   return text;
 }
 
+/// Words set in lines of at most 90 letters, indented by two.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t kWidth = 90;
+  std::string lines;
+  std::string line = " ";
+  std::istringstream words{text};
+  for (std::string word; words >> word;) {
+    if (line.size() + 1 + word.size() > kWidth) {
+      lines += line + '\n';
+      line = " ";
+    }
+    line += ' ' + word;
+  }
+  return lines + line + '\n';
+}
+
+/// Shares of a ceiling near 0 say nothing.
+std::string low_ceiling_line(const NoiseCeiling& ceiling) {
+  constexpr double kLow = 0.5;
+  if (ceiling.within.value_or(0.0) >= kLow) return {};
+  return "  The ceiling of the cells off the diagonal is low: too few responses to tell faces "
+         "apart,\n"
+         "  and its share says little.\n";
+}
+
 std::string agreement_line(std::string_view name,
                            const CellAgreement& cells,
                            const NoiseCeiling& ceiling) {
@@ -100,7 +126,8 @@ std::string agreement_lines(const FaceComparison& comparison) {
              "diagonal.\n",
              comparison.one,
              comparison.ceiling_all.splits,
-             comparison.ceiling_all.by_participants ? "the participants" : "the responses");
+             comparison.ceiling_all.by_participants ? "the participants" : "the responses") +
+         low_ceiling_line(comparison.ceiling_off_diagonal);
 }
 
 std::string mantel_line(std::string_view name, const std::optional<Mantel>& found) {
@@ -116,7 +143,7 @@ std::string mantel_line(std::string_view name, const std::optional<Mantel>& foun
 std::string test_lines(const FaceComparison& comparison) {
   const auto& cells = comparison.cells;
   const auto& permutation = comparison.permutation;
-  auto text = fmt::format("\n  Are the confusions the same? {}\n", design_in_words(comparison));
+  auto text = "\n" + wrapped("Are the confusions the same? " + design_in_words(comparison));
   if (permutation.p) {
     text +=
         fmt::format("  Pearson X2 = {:.2f}: {} by {} permutations of {} trials ({} left out).\n",
@@ -125,7 +152,8 @@ std::string test_lines(const FaceComparison& comparison) {
                     permutation.permutations,
                     permutation.used,
                     permutation.left_out);
-    text += fmt::format("  Proportion correct, second less first: {} ({}).\n",
+    text += fmt::format("  {} correct, second less first: {} ({}).\n",
+                        comparison.exchanged_responses ? "Responses" : "Words",
                         two_decimals(permutation.accuracy_difference),
                         print_p(permutation.accuracy_p.value_or(1.0)));
   }
@@ -138,7 +166,7 @@ std::string test_lines(const FaceComparison& comparison) {
       cells.g);
   text += mantel_line("phi", comparison.mantel_phi);
   text += mantel_line("confusions", comparison.mantel_confusion);
-  return text + "  (Mantel: whether labels matter at all; any two faces pass.)\n";
+  return text + "  (Mantel asks only whether labels matter at all; nearly any two faces pass.)\n";
 }
 
 std::string row_lines(const FaceComparison& comparison) {
@@ -174,12 +202,12 @@ std::string cell_lines(const FaceComparison& comparison) {
   for (std::size_t i = 0; i < std::min(cells.size(), kListed); ++i) {
     const auto& cell = cells[i];
     text +=
-        fmt::format("  {} answered {}: {} and {}, q = {}\n",
+        fmt::format("  {} answered {}: {} and {}, q {}\n",
                     comparison.one_matrix.stimuli()[cell.stimulus],
                     comparison.one_matrix.responses()[cell.response],
                     two_decimals(comparison.one_matrix.proportion(cell.stimulus, cell.response)),
                     two_decimals(comparison.other_matrix.proportion(cell.stimulus, cell.response)),
-                    three_decimals(cell.q));
+                    cell.q < 0.001 ? "< .001" : "= " + three_decimals(cell.q));
   }
   return text;
 }
@@ -193,11 +221,16 @@ std::string contrast_lines(const FaceComparison& comparison) {
         "  {}. {}\n", ++told, contrast_in_words(contrast, comparison.one, comparison.other));
   }
   if (text.empty()) {
-    return fmt::format("\n  \"{}\" shows every contrast that \"{}\" shows (phi within .05).\n",
+    return fmt::format("\n  \"{}\" shows every contrast that \"{}\" shows (phi within .10).\n",
                        comparison.other,
                        comparison.one);
   }
-  return fmt::format("\n  What \"{}\" fails to show, the largest loss first:\n", comparison.other) +
+  const auto& p = comparison.permutation.p;
+  return fmt::format("\n  What \"{}\" fails to show, the largest loss first{}:\n",
+                     comparison.other,
+                     p && *p > kFalseDiscoveryRate
+                         ? " (the confusions as a whole do not differ: maybe chance)"
+                         : "") +
          text;
 }
 
@@ -250,8 +283,9 @@ Json json_of_permutation(const FaceComparison& comparison) {
           {"log10_arrangements", permutation.log10_arrangements},
           {"chi_square", permutation.chi_square},
           {"p", optional_json(permutation.p)},
-          {"accuracy_difference", permutation.accuracy_difference},
-          {"accuracy_p", optional_json(permutation.accuracy_p)}};
+          {"correct_of", comparison.exchanged_responses ? "responses" : "words"},
+          {"correct_difference", permutation.accuracy_difference},
+          {"correct_difference_p", optional_json(permutation.accuracy_p)}};
 }
 
 Json json_of_cells(const FaceComparison& comparison) {
@@ -264,6 +298,8 @@ Json json_of_cells(const FaceComparison& comparison) {
       if (one.count(i, j) + other.count(i, j) <= 0.0) continue;
       cells.push_back({{"stimulus", one.stimuli()[i]},
                        {"response", one.responses()[j]},
+                       {"count_1", json_count(one.count(i, j))},
+                       {"count_2", json_count(other.count(i, j))},
                        {"proportion_1", optional_json(one.proportion(i, j))},
                        {"proportion_2", optional_json(other.proportion(i, j))},
                        {"p", optional_json(comparison.permutation.cell_p[cell])},

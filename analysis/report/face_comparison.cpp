@@ -152,16 +152,15 @@ void estimate_ratio(const ComparedTrials& collected,
   const auto draws = static_cast<int>(std::min(resampling.permutations, kMostDraws));
   const CrossedBootstrap bootstrap{
       collected.participants.size(), collected.words, {.draws = draws, .seed = resampling.seed}};
-  const auto ones = bootstrap.replicates(collected.words_one);
-  const auto others = bootstrap.replicates(collected.words_other);
+  const auto ones = bootstrap.replicates_by_draw(collected.words_one);
+  const auto others = bootstrap.replicates_by_draw(collected.words_other);
   std::vector<double> ratios;
-  if (ones.size() == others.size()) {
-    for (std::size_t i = 0; i < ones.size(); ++i) {
-      if (ones[i] > 0.0) ratios.push_back(others[i] / ones[i]);
-    }
+  for (std::size_t i = 0; i < ones.size(); ++i) {
+    if (ones[i].value_or(0.0) > 0.0 && others[i]) ratios.push_back(*others[i] / *ones[i]);
   }
   if (100 * (draws - std::ssize(ratios)) > draws || ratios.empty()) {
-    found.ratio_method = "no interval: too few correct words to resample";
+    found.ratio_method =
+        "no interval: in more than 1 % of the draws a condition has no correct word";
     return;
   }
   found.ratio_interval = percentile_interval(std::move(ratios));
@@ -178,6 +177,15 @@ void require_condition(const Results& results, const std::string& name) {
   throw Error{fmt::format("comparing conditions: the data have no condition \"{}\"; there are: {}",
                           name,
                           fmt::join(names, ", "))};
+}
+
+void require_conditions(const Results& results, const std::string& one, const std::string& other) {
+  require_condition(results, one);
+  require_condition(results, other);
+  if (one != other) return;
+  throw Error{fmt::format(
+      "comparing conditions: both are \"{}\"; name two different ones, the natural face's first",
+      one)};
 }
 
 constexpr std::size_t kFewestForHalves = 4;
@@ -208,8 +216,7 @@ FaceComparison compare_faces(const Results& results,
                              const std::string& one,
                              const std::string& other,
                              const Resampling& resampling) {
-  require_condition(results, one);
-  require_condition(results, other);
+  require_conditions(results, one, other);
   const std::vector<std::string> both{one, other};
   const auto tables = tabulate_unit(results.dataset.trials, results.scores, both, unit);
   for (const auto& table : tables) {
@@ -249,8 +256,7 @@ std::vector<FaceComparison> compare_faces(const Results& results,
                                           const std::string& one,
                                           const std::string& other,
                                           const Resampling& resampling) {
-  require_condition(results, one);
-  require_condition(results, other);
+  require_conditions(results, one, other);
   const auto has_responses = [&](Unit unit, const std::string& condition) {
     return std::ranges::any_of(results.confusions, [&](const UnitConfusions& table) {
       return table.unit == unit && table.condition == condition && table.matrix.total() > 0.0;

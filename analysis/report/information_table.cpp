@@ -34,12 +34,14 @@ FeatureInformation information_of(const ConfusionMatrix& matrix,
   return {.feature = features.features[feature],
           .left_out = matrix.total() - groups.total(),
           .information = information(groups),
+          .jackknifed = jackknifed_transmission(groups),
           .interval = interval_of_transmission(groups, intervals)};
 }
 
 std::string text_row(std::string_view name,
                      std::size_t width,
                      const Information& found,
+                     const std::optional<JackknifedTransmission>& jackknifed,
                      const std::optional<TransmissionInterval>& interval,
                      double left_out) {
   return fmt::format(
@@ -53,7 +55,7 @@ std::string text_row(std::string_view name,
       found.relative ? fmt::format("{:.3f}", *found.relative) : "-",
       found.miller_madow,
       found.all_cells_possible,
-      interval ? fmt::format("{:.3f}", interval->estimate) : "-",
+      jackknifed ? fmt::format("{:.3f}", jackknifed->estimate) : "-",
       interval && interval->interval
           ? fmt::format("[{:.3f}, {:.3f}]", interval->interval->low, interval->interval->high)
           : "none",
@@ -71,10 +73,13 @@ Json as_json(const Information& found) {
           {"transmitted_all_cells_possible_bits", found.all_cells_possible}};
 }
 
+Json as_json(const std::optional<JackknifedTransmission>& jackknifed) {
+  return jackknifed ? Json(jackknifed->estimate) : Json();
+}
+
 Json as_json(const std::optional<TransmissionInterval>& interval) {
   if (!interval) return {};
-  return {{"transmitted_jackknife_bits", interval->estimate},
-          {"interval",
+  return {{"interval",
            interval->interval ? Json{interval->interval->low, interval->interval->high} : Json()},
           {"level", 0.95},
           {"measured_coverage", interval->measured_coverage},
@@ -113,6 +118,7 @@ std::string notes(const InformationTable& table) {
 void append_line(std::string& table,
                  std::string_view name,
                  const std::optional<Information>& found,
+                 const std::optional<JackknifedTransmission>& jackknifed,
                  const std::optional<TransmissionInterval>& interval,
                  double left_out) {
   std::vector<CsvField> line{name, left_out};
@@ -130,7 +136,7 @@ void append_line(std::string& table,
     line.insert(line.end(), {0.0, {}, {}, {}, {}, {}, {}, {}});
   }
   const bool has_interval = interval && interval->interval;
-  line.push_back(interval ? CsvField{interval->estimate} : CsvField{});
+  line.push_back(jackknifed ? CsvField{jackknifed->estimate} : CsvField{});
   line.push_back(has_interval ? CsvField{interval->interval->low} : CsvField{});
   line.push_back(has_interval ? CsvField{interval->interval->high} : CsvField{});
   line.push_back(interval ? CsvField{interval->measured_coverage} : CsvField{});
@@ -147,6 +153,7 @@ InformationTable tabulate_information(std::string title,
   if (!whole) throw Error{fmt::format("{}: the matrix has no responses", title)};
   InformationTable table{.title = std::move(title),
                          .whole = *whole,
+                         .jackknifed = jackknifed_transmission(matrix),
                          .interval = interval_of_transmission(matrix, intervals),
                          .why_no_intervals = intervals.why_none,
                          .features = {}};
@@ -177,11 +184,15 @@ std::string information_text(const InformationTable& table) {
       "T (rc)",
       "T (jack)",
       "95 % interval");
-  text += text_row(kWhole, width, table.whole, table.interval, 0);
+  text += text_row(kWhole, width, table.whole, table.jackknifed, table.interval, 0);
   for (const auto& feature : table.features) {
     if (feature.information) {
-      text += text_row(
-          feature.feature, width, *feature.information, feature.interval, feature.left_out);
+      text += text_row(feature.feature,
+                       width,
+                       *feature.information,
+                       feature.jackknifed,
+                       feature.interval,
+                       feature.left_out);
     } else {
       text += fmt::format(
           "  {:<{}}{:>8}   all {} left out\n", feature.feature, width, 0, feature.left_out);
@@ -207,9 +218,14 @@ std::string information_csv(const InformationTable& table) {
                                      std::string_view{"high"},
                                      std::string_view{"measured_coverage"}};
   append_csv(text, header);
-  append_line(text, kWhole, table.whole, table.interval, 0);
+  append_line(text, kWhole, table.whole, table.jackknifed, table.interval, 0);
   for (const auto& feature : table.features) {
-    append_line(text, feature.feature, feature.information, feature.interval, feature.left_out);
+    append_line(text,
+                feature.feature,
+                feature.information,
+                feature.jackknifed,
+                feature.interval,
+                feature.left_out);
   }
   return text;
 }
@@ -217,6 +233,7 @@ std::string information_csv(const InformationTable& table) {
 std::string information_json(const InformationTable& table) {
   Json json{{"title", table.title}, {"stimuli", table.stimuli}};
   json.update(as_json(table.whole));
+  json["transmitted_jackknife_bits"] = as_json(table.jackknifed);
   json["transmitted_interval"] = as_json(table.interval);
   if (!table.interval) json["why_no_interval"] = table.why_no_intervals;
   json["features"] = Json::array();
@@ -224,6 +241,7 @@ std::string information_json(const InformationTable& table) {
     Json row{{"feature", feature.feature}, {"left_out", json_count(feature.left_out)}};
     if (feature.information) {
       row.update(as_json(*feature.information));
+      row["transmitted_jackknife_bits"] = as_json(feature.jackknifed);
       row["transmitted_interval"] = as_json(feature.interval);
     } else {
       row["n"] = 0;

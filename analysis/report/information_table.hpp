@@ -15,8 +15,9 @@ namespace bimodal::analysis {
 struct FeatureInformation {
   std::string feature;
   double left_out = 0.0;  ///< responses whose label has no value of it ("blank", say)
-  std::optional<Information> information;        ///< absent if all are left out
-  std::optional<TransmissionInterval> interval;  ///< absent if none was asked for
+  std::optional<Information> information;            ///< absent if all are left out
+  std::optional<JackknifedTransmission> jackknifed;  ///< absent of parts of responses
+  std::optional<TransmissionInterval> interval;      ///< absent if none was asked for
 };
 
 /// How much of the stimuli of one matrix came through, and of each of their features.
@@ -24,8 +25,9 @@ struct InformationTable {
   std::string title;
   std::size_t stimuli = 0;  ///< that were presented
   Information whole;
-  std::optional<TransmissionInterval> interval;  ///< absent if none was asked for
-  std::string why_no_intervals;                  ///< where none was asked for
+  std::optional<JackknifedTransmission> jackknifed;  ///< absent of parts of responses
+  std::optional<TransmissionInterval> interval;      ///< absent if none was asked for
+  std::string why_no_intervals;                      ///< where none was asked for
   std::vector<FeatureInformation> features;
 };
 

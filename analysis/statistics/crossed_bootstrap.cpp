@@ -54,9 +54,17 @@ CrossedBootstrap::CrossedBootstrap(std::size_t participants, std::size_t words, 
 }
 
 std::vector<double> CrossedBootstrap::replicates(std::span<const CrossedCell> cells) const {
-  const auto rows = sort_into_rows(cells, participants_);
   std::vector<double> proportions;
-  proportions.reserve(draws_);
+  for (const auto& drawn : replicates_by_draw(cells)) {
+    if (drawn) proportions.push_back(*drawn);
+  }
+  return proportions;
+}
+
+std::vector<std::optional<double>> CrossedBootstrap::replicates_by_draw(
+    std::span<const CrossedCell> cells) const {
+  const auto rows = sort_into_rows(cells, participants_);
+  std::vector<std::optional<double>> proportions(draws_);
   for (std::size_t draw = 0; draw < draws_; ++draw) {
     const auto* const participant_count = participant_counts_.data() + draw * participants_;
     const auto* const word_count = word_counts_.data() + draw * words_;
@@ -73,7 +81,7 @@ std::vector<double> CrossedBootstrap::replicates(std::span<const CrossedCell> ce
       trials += times * (sums >> kTrialsShift);
     }
     if (trials == 0) continue;
-    proportions.push_back(static_cast<double>(successes) / static_cast<double>(trials));
+    proportions[draw] = static_cast<double>(successes) / static_cast<double>(trials);
   }
   return proportions;
 }

@@ -37,6 +37,11 @@ class CrossedBootstrap {
   /// Proportion of successes in each draw; a draw that meets no trial at all is left out.
   [[nodiscard]] std::vector<double> replicates(std::span<const CrossedCell> cells) const;
 
+  /// The same draw by draw, absent where it meets no trial: for what two conditions, of which the
+  /// same participants and words are drawn, have to do with each other.
+  [[nodiscard]] std::vector<std::optional<double>> replicates_by_draw(
+      std::span<const CrossedCell> cells) const;
+
   /// The percentile interval. Absent where the bootstrap has nothing to say: no trials, all or none
   /// successes, or more than 1 % of the draws without any trial.
   [[nodiscard]] std::optional<Interval> interval(std::span<const CrossedCell> cells,

@@ -69,10 +69,27 @@ RowComparison compare_row(const ConfusionMatrix& one,
   return found;
 }
 
-std::optional<double> share_correct(const ConfusionMatrix& matrix) {
-  const double n = matrix.total();
-  if (n <= 0.0) return std::nullopt;
-  return matrix.correct() / n;
+/// Responses, and correct ones, to stimuli that the other matrix has too.
+struct Shared {
+  double n = 0.0;
+  double correct = 0.0;
+
+  [[nodiscard]] std::optional<double> proportion() const {
+    if (n <= 0.0) return std::nullopt;
+    return correct / n;
+  }
+};
+
+Shared shared_part(const ConfusionMatrix& matrix, const ConfusionMatrix& other) {
+  Shared part;
+  for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
+    if (other.row_total(i) <= 0.0) continue;
+    part.n += matrix.row_total(i);
+    for (std::size_t j = 0; j < matrix.responses().size(); ++j) {
+      if (matrix.responses()[j] == matrix.stimuli()[i]) part.correct += matrix.count(i, j);
+    }
+  }
+  return part;
 }
 
 /// Places in `labels` of those that are in `others` too, and their places there.
@@ -142,10 +159,12 @@ CellAgreement agreement_of_cells(const ConfusionMatrix& one,
 
 MatrixComparison compare_matrices(const ConfusionMatrix& one, const ConfusionMatrix& other) {
   assert(one.stimuli() == other.stimuli() && one.responses() == other.responses());
-  MatrixComparison found{.n_one = one.total(),
-                         .n_other = other.total(),
-                         .correct_one = share_correct(one),
-                         .correct_other = share_correct(other),
+  const auto part_one = shared_part(one, other);
+  const auto part_other = shared_part(other, one);
+  MatrixComparison found{.n_one = part_one.n,
+                         .n_other = part_other.n,
+                         .correct_one = part_one.proportion(),
+                         .correct_other = part_other.proportion(),
                          .all = agreement_of_cells(one, other, false),
                          .off_diagonal = agreement_of_cells(one, other, true)};
   if (found.correct_one.value_or(0.0) > 0.0 && found.correct_other) {

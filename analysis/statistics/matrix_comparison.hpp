@@ -35,7 +35,7 @@ struct RowComparison {
   std::int64_t degrees = 0;  ///< of freedom: columns with a response, less 1
 };
 
-/// What two matrices alone say about how alike they are.
+/// What two matrices alone say about how alike they are, in the stimuli that both presented.
 struct MatrixComparison {
   double n_one = 0.0;
   double n_other = 0.0;

@@ -238,6 +238,16 @@ JackknifedTransmission TransmissionOfCounts::jackknife(const CellCounts& counts)
   return found;
 }
 
+std::optional<JackknifedTransmission> jackknifed_transmission(const ConfusionMatrix& matrix) {
+  const auto whole = whole_counts(matrix);
+  if (!whole) return std::nullopt;
+  return TransmissionOfCounts{
+      whole->row_totals.size(),
+      whole->columns,
+      std::accumulate(whole->row_totals.begin(), whole->row_totals.end(), std::int64_t{0})}
+      .jackknife(whole->counts);
+}
+
 std::optional<TransmissionInterval> transmission_interval(const ConfusionMatrix& matrix,
                                                           Seed seed,
                                                           std::int64_t draws,

@@ -39,6 +39,10 @@ class TransmissionOfCounts {
   double sum_ = 0.0;  ///< of k log2 k: cells less rows less columns
 };
 
+/// Of a matrix; absent without responses, or with parts of responses.
+[[nodiscard]] std::optional<JackknifedTransmission> jackknifed_transmission(
+    const ConfusionMatrix& matrix);
+
 /// An interval of transmitted information, and how good it is.
 struct TransmissionInterval {
   double estimate = 0.0;             ///< jackknife

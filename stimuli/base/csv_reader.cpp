@@ -31,10 +31,20 @@ std::string excerpt(std::string_view field) {
   return fmt::format("\"{}{}\"", field.substr(0, kMost), field.size() > kMost ? "..." : "");
 }
 
+char delimiter_of(std::string_view text) {
+  while (text.starts_with("# ") && text.find('\n') != std::string_view::npos) {
+    text.remove_prefix(text.find('\n') + 1);
+  }
+  const auto line = text.substr(0, text.find_first_of("\r\n"));
+  if (line.find(',') != std::string_view::npos) return ',';
+  if (line.find(';') != std::string_view::npos) return ';';
+  return line.find('\t') != std::string_view::npos ? '\t' : ',';
+}
+
 }  // namespace
 
 CsvReader::CsvReader(std::string_view text, std::string_view file, char delimiter)
-    : text_{text}, file_{file}, delimiter_{delimiter} {
+    : text_{text}, file_{file}, delimiter_{delimiter == '\0' ? delimiter_of(text) : delimiter} {
   if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
 }
 

@@ -14,9 +14,10 @@ namespace bimodal {
 /// interpreted: "NA" is a syllable. Throws Error, naming file and line.
 class CsvReader {
  public:
-  /// Both texts outlive the reader. Fields end at the delimiter; in many countries tables have
-  /// semicolons.
-  CsvReader(std::string_view text, std::string_view file, char delimiter = ',');
+  /// Both texts outlive the reader. Fields end at the delimiter; 0: at commas, or at semicolons (as
+  /// in many countries) or tabs if the first line that is no remark ("# ...") has these and no
+  /// comma.
+  CsvReader(std::string_view text, std::string_view file, char delimiter = '\0');
 
   /// Takes the lines off that begin with "# " before the first record, and gives them without that
   /// mark: what a program says of the table that follows. A field that begins so is in quotation

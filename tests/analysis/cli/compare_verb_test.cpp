@@ -114,7 +114,9 @@ TEST_F(CompareVerb, FindsWhatTheSyntheticFaceFailsToShow) {
   EXPECT_GT(first["loss"], 0.2);
   const auto text = compare_trials({"--natural", "nat", "--synthetic", "syn"});
   EXPECT_THAT(text.out,
-              AllOf(HasSubstr("F answered P: .00 and"), HasSubstr("What \"syn\" fails to show")));
+              AllOf(HasSubstr("F answered P: .00 and"),
+                    HasSubstr("Words correct, second less first"),
+                    HasSubstr("What \"syn\" fails to show")));
 }
 
 TEST_F(CompareVerb, FindsNothingBetweenAFaceAndItself) {
@@ -140,7 +142,7 @@ TEST_F(CompareVerb, SaysWhatIsMissing) {
   const auto matrix = file("n.csv", kNatural);
   EXPECT_THAT(run({"compare", matrix}).err, HasSubstr("one is given; name two"));
   EXPECT_THAT(run({"compare", matrix, matrix, "--natural", "a"}).err,
-              HasSubstr("choose conditions of trials"));
+              HasSubstr("leave them out: of two matrices"));
   EXPECT_THAT(compare_trials({}).err, HasSubstr("which two? Name them with --natural"));
   EXPECT_THAT(compare_trials({"--natural", "nat", "--synthetic", "other"}).err,
               HasSubstr("no condition \"other\"; there are: nat, syn"));
