@@ -46,6 +46,16 @@ svg { display: block; max-width: 100%; height: auto; }
 .trial img { display: block; max-width: 460px; width: 100%; height: auto;
   border: 1px solid var(--rule); }
 .trial audio { width: 360px; max-width: 100%; }
+figure[data-unit] svg text { pointer-events: none; }
+figure[data-unit] rect[data-cell][tabindex] { cursor: pointer; }
+figure[data-unit] rect[data-cell]:focus { outline: 2px solid #b35806; }
+.choices { margin: 4px 0; font-size: 13px; color: var(--soft); }
+.choices button, .listed button { font: inherit; margin-left: 8px; }
+.listed { margin: 8px 0 20px; padding: 8px 14px; border: 1px solid var(--rule);
+  max-height: 26em; overflow: auto; }
+.command { font: 12px/1.5 "Source Code Pro", "DejaVu Sans Mono", Consolas, monospace;
+  overflow-wrap: anywhere; }
+.reproduction { border: 1px solid var(--rule); padding: 4px 14px 10px; }
 dt { font-weight: 600; margin-top: 8px; }
 dd { margin: 0 0 0 0; max-width: 78ch; }
 @media print {
@@ -53,7 +63,7 @@ dd { margin: 0 0 0 0; max-width: 78ch; }
   h2 { break-after: avoid; } h3 { break-after: avoid; }
   tr { break-inside: avoid; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-  audio { display: none; }
+  audio, .choices, .listed { display: none; }
   @page { margin: 16mm 15mm; }
 }
 )";
