@@ -30,7 +30,7 @@ thead th { border-bottom: 1px solid var(--ink); font-weight: 600; vertical-align
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums;
   white-space: nowrap; }
 td.estimate, th.estimate { white-space: nowrap; font-variant-numeric: tabular-nums; }
-tbody tr.first td { border-top: 1px solid var(--rule); }
+tbody tr.first td, tbody tr.first th { border-top: 1px solid var(--rule); }
 .note { font-size: 13px; color: var(--soft); }
 .hash { font: 12px/1.4 "Source Code Pro", "DejaVu Sans Mono", Consolas, monospace;
   overflow-wrap: anywhere; }
@@ -40,6 +40,7 @@ figcaption b { color: var(--deep); }
 svg { display: block; max-width: 100%; height: auto; }
 .side { display: flex; flex-wrap: wrap; gap: 3mm; align-items: flex-start; }
 @media screen { figure > svg { width: 100%; max-width: 860px; }
+  figure.column > svg { max-width: 460px; }
   .side > svg { flex: 1 1 320px; min-width: 0; } }
 .trial { display: flex; flex-wrap: wrap; gap: 24px; align-items: flex-start; }
 .trial figure { margin: 8px 0; }
