@@ -53,7 +53,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Console console) 
                            std::string{"bimodal-analysis "} + std::string{program_version()});
   Verb chosen;
   add_score_verb(program, chosen);
-  add_report_verb(program, chosen);
+  add_report_verb(program, chosen, arguments);
   add_matrix_verb(program, chosen);
   add_information_verb(program, chosen);
   add_sinfa_verb(program, chosen);

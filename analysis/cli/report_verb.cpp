@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analysis/cli/command_line.hpp"
 #include "analysis/cli/verb.hpp"
 #include "analysis/report/attachment.hpp"
 #include "analysis/report/figure_files.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct ReportRequest {
   AnalysisRequest analysis;
   FaceConditions faces;  ///< both empty: none are compared
+  std::string command;   ///< as typed
   std::filesystem::path folder;
   std::vector<std::string> pictures;
   std::vector<std::string> sounds;
@@ -104,7 +106,8 @@ ExitCode make_report(const ReportRequest& request, Console console) {
   }
   const Making making{.program = program_name(),
                       .made_utc = now_utc(),
-                      .selection = selection_in_words(request.analysis.selection)};
+                      .selection = selection_in_words(request.analysis.selection),
+                      .command = request.command};
   std::error_code failure;
   std::filesystem::create_directories(request.folder / "figures", failure);
   if (failure) {
@@ -131,8 +134,9 @@ ExitCode make_report(const ReportRequest& request, Console console) {
 
 }  // namespace
 
-void add_report_verb(CLI::App& program, Verb& chosen) {
+void add_report_verb(CLI::App& program, Verb& chosen, std::span<const std::string> arguments) {
   const auto request = std::make_shared<ReportRequest>();
+  request->command = command_line("bimodal-analysis", arguments);
   auto* const verb = program.add_subcommand(
       "report", "Scores, intervals and confusion matrices as one HTML page and tidy CSV tables");
   verb->footer(kExamples);

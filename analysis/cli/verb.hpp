@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,7 +60,9 @@ void add_seed_option(CLI::App& verb, Seed& seed);
 
 /// Each adds its verb to the program; `chosen` becomes the verb that the user named.
 void add_score_verb(CLI::App& program, Verb& chosen);
-void add_report_verb(CLI::App& program, Verb& chosen);
+void add_report_verb(CLI::App& program,
+                     Verb& chosen,
+                     std::span<const std::string> arguments);  ///< the command line, to be told
 void add_matrix_verb(CLI::App& program, Verb& chosen);
 void add_information_verb(CLI::App& program, Verb& chosen);
 void add_sinfa_verb(CLI::App& program, Verb& chosen);

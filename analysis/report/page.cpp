@@ -59,6 +59,9 @@ std::string report_page(const Results& results,
   page += part_of_likeness(results);
   page += part_of_data(results);
   page += part_of_methods(results);
+  page += part_for_paper(results, making);
+  page += part_of_reproduction(results, making);
+  page += part_of_trials(results);
   return page + "</body>\n</html>\n";
 }
 

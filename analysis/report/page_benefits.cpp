@@ -75,10 +75,11 @@ std::string rows_of_features(const Results& results, Unit unit) {
       const auto bits = [&](double value) {
         return fmt::format("{}{:.3f}", value < 0.0 ? "&#8722;" : "", std::abs(value));
       };
-      rows += fmt::format("<tr{}><th scope='row'>{}</th><td>{}</td>",
-                          first ? " class='first'" : "",
-                          first ? escaped(table.condition) : "",
-                          escaped(feature.feature));
+      rows +=
+          fmt::format("<tr{}>{}<td>{}</td>",
+                      first ? " class='first'" : "",
+                      first ? "<th scope='row'>" + escaped(table.condition) + "</th>" : "<td></td>",
+                      escaped(feature.feature));
       first = false;
       if (!found) {
         rows +=
@@ -109,7 +110,8 @@ std::string part_of_benefits(const Results& results, FigureNumbers& numbers) {
   std::string part = "<h2 id='benefit'>What the face adds to the voice</h2>\n";
   for (const auto& voice : voices_with_faces(results)) {
     part += fmt::format(
-        "<figure>{}<figcaption><b>Figure {}.</b> Benefit AV &#8722; A in words correct against A, "
+        "<figure class='column'>{}<figcaption><b>Figure {}.</b> Benefit AV &#8722; A in words "
+        "correct against A, "
         "the voice alone ({}): a mark for each participant in each bimodal condition, "
         "participants with trials in both.</figcaption></figure>\n",
         figure_of_benefits(results, voice, PaperWidth::OneColumn),

@@ -91,19 +91,9 @@ std::string part_of_warnings(const Results& results) {
 
 std::string part_of_data(const Results& results) {
   const auto& dataset = results.dataset;
-  std::string files;
-  for (std::size_t i = 0; i < dataset.files.size(); ++i) {
-    files += fmt::format("<tr><td class='number'>{}</td><td>{}</td><td class='hash'>{}</td></tr>\n",
-                         i + 1,
-                         escaped(dataset.files[i].name),
-                         dataset.files[i].sha256);
-  }
   return fmt::format(
       "<h2 id='data'>Data</h2>\n<h3>Trials</h3>\n<table><tbody>{}</tbody></table>\n"
-      "<h3>Files</h3>\n<table><thead><tr><th scope='col' class='number'>No.</th><th "
-      "scope='col'>File</th><th scope='col'>SHA-256</th>"
-      "</tr></thead><tbody>{}<tr><td></td><td>{} <span class='note'>(dictionary)</span></td>"
-      "<td class='hash'>{}</td></tr></tbody></table>\n<h3>Sessions</h3>\n<table><thead><tr>"
+      "<h3>Sessions</h3>\n<table><thead><tr>"
       "<th scope='col'>Participant</th><th scope='col' class='number'>Session</th><th scope='col' "
       "class='number'>File</th>"
       "<th scope='col'>Started (UTC)</th><th scope='col'>Outcome</th><th scope='col'>Face "
@@ -117,9 +107,6 @@ std::string part_of_data(const Results& results) {
       "it was measured that the machine keeps ahead of the session, or nobody looked (unwatched); "
       "&#8211;: no synthetic face was drawn, or it is not known.</p>\n",
       rows_of_exclusions(dataset),
-      files,
-      escaped(results.dictionary.file),
-      results.dictionary.sha256,
       rows_of_sessions(dataset));
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "analysis/report/attachment.hpp"
+#include "analysis/report/page.hpp"
 #include "analysis/report/results.hpp"
 
 namespace bimodal::analysis {
@@ -33,6 +34,14 @@ class FigureNumbers {
 [[nodiscard]] std::string part_of_attachments(std::span<const Attachment> attachments);
 [[nodiscard]] std::string part_of_data(const Results& results);
 [[nodiscard]] std::string part_of_methods(const Results& results);
+[[nodiscard]] std::string part_of_reproduction(const Results& results, const Making& making);
+
+/// What was done as a paragraph for a paper, and what it refers to.
+[[nodiscard]] std::string part_for_paper(const Results& results, const Making& making);
+
+/// All trials as data, and the script that lists those of a cell of a confusion matrix.
+[[nodiscard]] std::string part_of_trials(const Results& results);
+[[nodiscard]] std::string_view page_script();
 
 /// ".55 [.50, .60]", or the proportion alone, or a dash.
 [[nodiscard]] std::string print_estimate(const Proportion& proportion);

@@ -216,8 +216,11 @@ std::string part_of_confusions(const Results& results, FigureNumbers& numbers) {
     last = &table.unit;
     const auto total = table.matrix.total();
     part += fmt::format(
-        "<figure>{}<figcaption><b>Figure {}. {}, condition {}.</b> {} Left out as ambiguous: {}. "
+        "<figure data-unit='{}' data-condition='{}'>{}<figcaption><b>Figure {}. {}, condition "
+        "{}.</b> {} Left out as ambiguous: {}. "
         "Words without such a phone: {}.</figcaption></figure>\n",
+        name(table.unit),
+        escaped(table.condition),
         figure_of_confusions(table, PaperWidth::TwoColumns),
         numbers.next(),
         title(table.unit),

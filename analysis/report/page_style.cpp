@@ -30,7 +30,7 @@ thead th { border-bottom: 1px solid var(--ink); font-weight: 600; vertical-align
 td.number, th.number { text-align: right; font-variant-numeric: tabular-nums;
   white-space: nowrap; }
 td.estimate, th.estimate { white-space: nowrap; font-variant-numeric: tabular-nums; }
-tbody tr.first td { border-top: 1px solid var(--rule); }
+tbody tr.first td, tbody tr.first th { border-top: 1px solid var(--rule); }
 .note { font-size: 13px; color: var(--soft); }
 .hash { font: 12px/1.4 "Source Code Pro", "DejaVu Sans Mono", Consolas, monospace;
   overflow-wrap: anywhere; }
@@ -40,12 +40,23 @@ figcaption b { color: var(--deep); }
 svg { display: block; max-width: 100%; height: auto; }
 .side { display: flex; flex-wrap: wrap; gap: 3mm; align-items: flex-start; }
 @media screen { figure > svg { width: 100%; max-width: 860px; }
+  figure.column > svg { max-width: 460px; }
   .side > svg { flex: 1 1 320px; min-width: 0; } }
 .trial { display: flex; flex-wrap: wrap; gap: 24px; align-items: flex-start; }
 .trial figure { margin: 8px 0; }
 .trial img { display: block; max-width: 460px; width: 100%; height: auto;
   border: 1px solid var(--rule); }
 .trial audio { width: 360px; max-width: 100%; }
+figure[data-unit] svg text { pointer-events: none; }
+figure[data-unit] rect[data-cell][tabindex] { cursor: pointer; }
+figure[data-unit] rect[data-cell]:focus { outline: 2px solid #b35806; }
+.choices { margin: 4px 0; font-size: 13px; color: var(--soft); }
+.choices button, .listed button { font: inherit; margin-left: 8px; }
+.listed { margin: 8px 0 20px; padding: 8px 14px; border: 1px solid var(--rule);
+  max-height: 26em; overflow: auto; }
+.command { font: 12px/1.5 "Source Code Pro", "DejaVu Sans Mono", Consolas, monospace;
+  overflow-wrap: anywhere; }
+.reproduction { border: 1px solid var(--rule); padding: 4px 14px 10px; }
 dt { font-weight: 600; margin-top: 8px; }
 dd { margin: 0 0 0 0; max-width: 78ch; }
 @media print {
@@ -53,7 +64,7 @@ dd { margin: 0 0 0 0; max-width: 78ch; }
   h2 { break-after: avoid; } h3 { break-after: avoid; }
   tr { break-inside: avoid; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-  audio { display: none; }
+  audio, .choices, .listed { display: none; }
   @page { margin: 16mm 15mm; }
 }
 )";

@@ -319,6 +319,7 @@ ReportFile manifest(const Results& results, const Making& making) {
   json["program"] = making.program;
   json["made_utc"] = making.made_utc;
   json["selection"] = making.selection;
+  if (!making.command.empty()) json["command"] = making.command;
   json["bootstrap"] = {{"draws", results.bootstrap.draws}, {"seed", results.bootstrap.seed}};
   if (results.faces) {
     json["faces"] = {{"natural", results.faces->natural},

@@ -37,6 +37,7 @@ CellLook look_of_proportion(const ConfusionMatrix& matrix,
     return look;
   }
   if (*share == 0.0) return look;
+  look.cell = fmt::format("{} {}", matrix.stimuli()[row], matrix.responses()[column]);
   look.fill = sequential_colour(is_square_root ? std::sqrt(*share) : *share);
   look.meaning = fmt::format("{} answered {}: {} ({} of {})",
                              matrix.stimuli()[row],

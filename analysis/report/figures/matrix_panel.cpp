@@ -209,7 +209,8 @@ class PanelPainter {
   void paint_cell(Svg& svg, std::size_t row, std::size_t column) const {
     const auto look = panel_.look(axes_.rows[row], axes_.columns[column]);
     if (!look.fill.empty()) {
-      svg.box(box_of(row, column, 0.0), {.fill = look.fill, .meaning = look.meaning});
+      svg.box(box_of(row, column, 0.0),
+              {.fill = look.fill, .meaning = look.meaning, .cell = look.cell});
     }
     if (look.is_diagonal) {
       svg.box(box_of(row, column, 0.6), {.stroke = "#9aa7b4", .width = 0.4});

@@ -15,6 +15,7 @@ struct CellLook {
   std::string fill;     ///< a colour; empty: none
   std::string number;   ///< printed where there is room; empty: none
   std::string meaning;  ///< the cell in words; empty: not told
+  std::string cell;     ///< "F V": stimulus and response, where there is one; empty: not told
   bool is_outlined = false;
   bool is_diagonal = false;
 };

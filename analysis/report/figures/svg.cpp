@@ -135,6 +135,9 @@ void Svg::shape(std::string_view geometry, const Paint& paint) {
   if (paint.opacity < 1.0) {
     fmt::format_to(std::back_inserter(content_), " opacity='{}'", coordinate(paint.opacity));
   }
+  if (!paint.cell.empty()) {
+    fmt::format_to(std::back_inserter(content_), " data-cell='{}'", escaped(paint.cell));
+  }
   if (paint.meaning.empty()) {
     content_ += "/>\n";
   } else {

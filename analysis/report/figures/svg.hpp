@@ -40,6 +40,7 @@ struct Paint {
   std::string_view dashes;   ///< "2 2"; empty: a solid line
   double opacity = 1.0;      ///< of the whole shape
   std::string_view meaning;  ///< told where the pointer rests on it; empty: nothing
+  std::string_view cell;     ///< "F V": whose cell of a matrix it is, as data-cell; empty: none
 };
 
 struct Box {

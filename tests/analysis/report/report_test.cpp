@@ -141,7 +141,7 @@ TEST(ReportPage, IsWholeWithoutAnythingElse) {
   EXPECT_THAT(page, Not(HasSubstr("<only>")));
   EXPECT_THAT(page, HasSubstr("data:image/png;base64,YWJj"));
   EXPECT_THAT(page, HasSubstr("day &quot;1&quot;.sqlite"));
-  for (const auto* const fetched : {"http:", "https:", "<script", "<link", "@import", "url("}) {
+  for (const auto* const fetched : {"http:", "https:", "<script src", "<link", "@import", "url("}) {
     EXPECT_THAT(page, Not(HasSubstr(fetched)));
   }
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(page, '\0')), 0U);

@@ -1,0 +1,108 @@
+#include <cstdlib>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "analysis/report/page.hpp"
+#include "analysis/report/page_parts.hpp"
+#include "tests/analysis/report/figure_examples.hpp"
+#include "tests/analysis/report/planned_study.hpp"
+
+namespace bimodal::analysis {
+namespace {
+
+using examples::five_conditions;
+using examples::printed_by;
+using examples::results_of;
+using testing::HasSubstr;
+using testing::Not;
+
+Results study(const std::string& last_condition = "V <b>&\"") {
+  auto conditions = five_conditions();
+  conditions[3].name = last_condition;
+  return results_of(conditions, 2, {.bootstrap = {.draws = 100, .seed = 1}});
+}
+
+/// What a browser without network makes of the page when a script has done something in it.
+std::optional<std::string> seen_in_browser(std::string page, const std::string& deed) {
+  const WrittenFiles folder;
+  const std::string end = "</body>";
+  page.insert(page.rfind(end), "<script>window.onload = function () {" + deed + "};</script>");
+  const auto file = folder.write("page.html", page);
+  return printed_by(
+      "timeout 60 chromium --headless --no-sandbox --disable-gpu --host-resolver-rules='MAP * "
+      "~NOTFOUND' --user-data-dir=" +
+      (folder / "browser").string() + " --dump-dom file://" + file.string());
+}
+
+constexpr std::string_view kShow =
+    "var shown = document.createElement('pre');"
+    "shown.textContent = 'SHOWN ' + Array.from(document.querySelectorAll('.listed tbody tr'))"
+    ".map(function (row) { return Array.from(row.cells).map(function (cell) {"
+    " return cell.textContent; }).join('|'); }).join(';') + ' TOLD ' +"
+    " document.getElementById('told').textContent + ' FOCUS ' +"
+    " document.activeElement.textContent.trim() + ' END';"
+    "document.body.append(shown);";
+
+bool has_browser() {
+  return printed_by("chromium --version").value_or("").find("Chromium") != std::string::npos;
+}
+
+TEST(TrialsOfACell, AreEmbeddedWithoutMarkup) {
+  const auto part = part_of_trials(study());
+  EXPECT_THAT(part, HasSubstr("V \\u003cb\\u003e\\u0026\\\""));
+  EXPECT_THAT(std::string{page_script()}, Not(HasSubstr("<")));
+  EXPECT_THAT(std::string{page_script()}, Not(HasSubstr("&")));
+}
+
+// "mat", the only word with M, is word 5: participants 0 and 1 are right with the voice alone, (3 p
+// + 25) mod 7 < 3, as 4 and 0: P1 only. Trial 5 is the sixth of the first condition.
+TEST(TrialsOfACell, AreListedOnAClick) {
+  if (!has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const auto shown = seen_in_browser(
+      report_page(study(), {}, {}),
+      "document.querySelector(\"figure[data-unit='consonant-initial'][data-condition='A'] "
+      "rect[data-cell='M M']\").dispatchEvent(new MouseEvent('click', {bubbles: true}));" +
+          std::string{kShow});
+  ASSERT_TRUE(shown);
+  EXPECT_THAT(*shown,
+              HasSubstr("SHOWN P1|5|mat|mat|as planned TOLD M answered M, condition A: 1 trial "
+                        "FOCUS Close END"));
+}
+
+TEST(TrialsOfACell, AreListedByKeyboardAndTheListCloses) {
+  if (!has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const std::string press =
+      "function press(key) { document.activeElement.dispatchEvent(new KeyboardEvent('keydown', "
+      "{key: key, bubbles: true})); }"
+      "var first = document.querySelector(\"figure[data-condition='A'] rect[tabindex='0']\");"
+      "first.focus(); press('ArrowRight'); var next = document.activeElement; press('Enter');";
+  const auto open = seen_in_browser(report_page(study(), {}, {}), press + std::string{kShow});
+  ASSERT_TRUE(open);
+  EXPECT_THAT(*open, HasSubstr("|as planned"));
+  EXPECT_THAT(*open, HasSubstr("FOCUS Close END"));
+  const auto closed = seen_in_browser(report_page(study(), {}, {}),
+                                      press +
+                                          "press('Escape'); document.title = next === "
+                                          "document.activeElement ? 'BACK' : 'LOST';" +
+                                          std::string{kShow});
+  ASSERT_TRUE(closed);
+  EXPECT_THAT(*closed, HasSubstr("<title>BACK</title>"));
+  EXPECT_THAT(*closed, HasSubstr("SHOWN  TOLD List closed."));
+}
+
+// "eight" begins with a vowel: one trial of each of two participants.
+TEST(TrialsOfACell, OfWordsWithoutTheUnitHaveAListToo) {
+  if (!has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const auto shown =
+      seen_in_browser(report_page(study(), {}, {}),
+                      "Array.from(document.querySelector(\"figure[data-unit='consonant-initial']\")"
+                      ".querySelectorAll('.choices button')).pop().click();" +
+                          std::string{kShow});
+  ASSERT_TRUE(shown);
+  EXPECT_THAT(*shown, HasSubstr("SHOWN P0|4|eight|"));
+  EXPECT_THAT(*shown, HasSubstr("Words without such a phone, condition A: 2 trials"));
+}
+
+}  // namespace
+}  // namespace bimodal::analysis
