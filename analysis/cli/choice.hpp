@@ -6,9 +6,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "stimuli/base/lower_case.hpp"
+
 namespace bimodal::analysis {
 
-/// Adds an option whose values are names. `value` must outlive `verb`.
+/// Adds an option whose values are names in lower case, which may be typed in any. `value` must
+/// outlive `verb`.
 template <typename Value>
 CLI::Option* add_choice(CLI::App& verb,
                         const std::string& option,
@@ -22,7 +25,7 @@ CLI::Option* add_choice(CLI::App& verb,
           option,
           [&value, choices](const std::string& name) {
             for (const auto& choice : choices) {
-              if (choice.first == name) value = choice.second;
+              if (choice.first == lower_case(name)) value = choice.second;
             }
           },
           meaning)
