@@ -112,8 +112,9 @@ Dictionary::Dictionary(std::vector<DictionaryEntry> entries) {
   std::vector<DictionaryEntry*> order;  // moving pointers about is quicker than moving entries
   order.reserve(entries.size());
   for (auto& entry : entries) order.push_back(&entry);
-  std::ranges::stable_sort(
-      order, {}, [](const DictionaryEntry* entry) -> const std::string& { return entry->spelling; });
+  std::ranges::stable_sort(order, {}, [](const DictionaryEntry* entry) -> const std::string& {
+    return entry->spelling;
+  });
   pronunciations_.reserve(entries.size());
   for (DictionaryEntry* entry : order) {
     if (spellings_.empty() || spellings_.back() != entry->spelling) {
