@@ -50,7 +50,7 @@ Columns columns_of(const std::vector<std::string>& header, const LabelLine& line
 }  // namespace
 
 Labels parse_csv_labels(std::string_view text, std::string_view file) {
-  CsvReader csv{text, file};
+  CsvReader csv{text, file, ','};
   const auto here = [&] { return LabelLine{file, csv.line()}; };
   const auto header = csv.next();
   if (!header) refuse({file}, "the file is empty", "begin with the line start_s,end_s,text");
