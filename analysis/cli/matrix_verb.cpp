@@ -8,6 +8,7 @@
 #include "analysis/report/exported_matrix.hpp"
 #include "analysis/report/json_count.hpp"
 #include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 

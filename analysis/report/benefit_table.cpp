@@ -1,8 +1,9 @@
 #include "analysis/report/benefit_table.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include "analysis/report/json_count.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 
@@ -10,25 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Two decimals without leading zero; these may be negative.
-std::string two_decimals(const std::optional<double>& value) {
-  if (!value) return "-";
-  auto text = fmt::format("{:.2f}", std::abs(*value));
-  if (text.starts_with("0.")) text.erase(0, 1);
-  return (*value < 0.0 && text != ".00" ? "-" : "") + text;
-}
-
 std::string interval_text(const std::optional<Interval>& interval) {
   if (!interval) return {};
-  return fmt::format(" [{}, {}]", two_decimals(interval->low), two_decimals(interval->high));
-}
-
-Json json_of(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
-Json json_of(const std::optional<Interval>& interval) {
-  return interval ? Json{interval->low, interval->high} : Json();
+  return fmt::format(" [{}, {}]", print_decimals(interval->low), print_decimals(interval->high));
 }
 
 }  // namespace
@@ -41,16 +26,16 @@ std::string benefit_text(std::span<const BenefitRow> rows, std::span<const Share
         "    n {} and {}; {}\n",
         row.bimodal,
         row.auditory,
-        two_decimals(row.a),
-        two_decimals(row.av),
-        row.v ? fmt::format(", V {} ({})", two_decimals(row.v), row.visual) : "",
-        two_decimals(row.benefit.gain),
+        print_decimals(row.a),
+        print_decimals(row.av),
+        row.v ? fmt::format(", V {} ({})", print_decimals(row.v), row.visual) : "",
+        print_decimals(row.benefit.gain),
         interval_text(row.gain_interval),
-        two_decimals(row.benefit.relative),
+        print_decimals(row.benefit.relative),
         interval_text(row.relative_interval),
-        two_decimals(row.benefit.log_odds),
+        print_decimals(row.benefit.log_odds),
         row.benefit.excess
-            ? fmt::format("; above two independent chances {}", two_decimals(row.benefit.excess))
+            ? fmt::format("; above two independent chances {}", print_decimals(row.benefit.excess))
             : "",
         row.n,
         row.n_auditory,
@@ -59,7 +44,7 @@ std::string benefit_text(std::span<const BenefitRow> rows, std::span<const Share
   for (const auto& share : shares) {
     text += fmt::format("  {} gives {}{} of the benefit of {} (over {}; {})\n",
                         share.synthetic,
-                        two_decimals(share.share),
+                        print_decimals(share.share),
                         interval_text(share.interval),
                         share.natural,
                         share.auditory,
@@ -81,14 +66,14 @@ Json benefit_json(std::span<const BenefitRow> rows) {
                     {"n_visual", row.n_visual},
                     {"a", row.a},
                     {"av", row.av},
-                    {"v", json_of(row.v)},
+                    {"v", optional_json(row.v)},
                     {"gain", row.benefit.gain},
-                    {"gain_interval", json_of(row.gain_interval)},
-                    {"relative_gain", json_of(row.benefit.relative)},
-                    {"relative_gain_interval", json_of(row.relative_interval)},
-                    {"auditory_relative_gain", json_of(row.benefit.auditory_relative)},
-                    {"log_odds_gain", json_of(row.benefit.log_odds)},
-                    {"excess_over_probability_summation", json_of(row.benefit.excess)},
+                    {"gain_interval", interval_json(row.gain_interval)},
+                    {"relative_gain", optional_json(row.benefit.relative)},
+                    {"relative_gain_interval", interval_json(row.relative_interval)},
+                    {"auditory_relative_gain", optional_json(row.benefit.auditory_relative)},
+                    {"log_odds_gain", optional_json(row.benefit.log_odds)},
+                    {"excess_over_probability_summation", optional_json(row.benefit.excess)},
                     {"method", row.method}});
   }
   return json;
@@ -102,8 +87,8 @@ Json share_json(std::span<const ShareRow> shares) {
                     {"auditory", share.auditory},
                     {"participants", share.participants},
                     {"words", share.words},
-                    {"share_of_natural_benefit", json_of(share.share)},
-                    {"interval", json_of(share.interval)},
+                    {"share_of_natural_benefit", optional_json(share.share)},
+                    {"interval", interval_json(share.interval)},
                     {"method", share.method}});
   }
   return json;

@@ -6,6 +6,9 @@
 
 namespace bimodal::analysis {
 
+/// Contrasts that lose less phi than this are not told in words.
+inline constexpr double kLossWorthTelling = 0.10;
+
 /// For people: how much is right, how alike the confusions are and how alike they could be, the
 /// test, the cells that differ, and in words what the second face fails to show.
 [[nodiscard]] std::string comparison_text(const FaceComparison& comparison);
@@ -24,8 +27,5 @@ namespace bimodal::analysis {
 
 /// What the permutation exchanged, in words.
 [[nodiscard]] std::string design_in_words(const FaceComparison& comparison);
-
-/// "p = .023", "p < .001", by APA 7.
-[[nodiscard]] std::string print_p(double p);
 
 }  // namespace bimodal::analysis

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/csv.hpp"
+#include "analysis/report/json_count.hpp"
 
 namespace bimodal::analysis {
 
@@ -17,14 +18,6 @@ using Json = nlohmann::ordered_json;
 std::optional<double> proportion(const CountedSuccesses& counted) {
   if (counted.trials == 0) return std::nullopt;
   return static_cast<double>(counted.successes) / static_cast<double>(counted.trials);
-}
-
-CsvField field_of(const std::optional<double>& value) {
-  return value ? CsvField{*value} : CsvField{};
-}
-
-Json json_of(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
 }
 
 Json labels_of(const std::vector<std::string>& names, const std::vector<std::string>& labels) {
@@ -91,12 +84,12 @@ std::string counted_proportions_csv(const CountedProportions& table) {
   for (std::size_t row = 0; row < table.counts.rows.size(); ++row) {
     const auto& counted = table.counts.rows[row];
     std::vector<CsvField> line(counted.labels.begin(), counted.labels.end());
-    line.insert(line.end(), {counted.successes, counted.trials, field_of(proportion(counted))});
+    line.insert(line.end(), {counted.successes, counted.trials, csv_number(proportion(counted))});
     for (const auto& interval : table.intervals[row]) {
       line.push_back(interval ? CsvField{interval->low} : CsvField{});
       line.push_back(interval ? CsvField{interval->high} : CsvField{});
     }
-    if (table.alternatives) line.push_back(field_of(table.sensitivities[row]));
+    if (table.alternatives) line.push_back(csv_number(table.sensitivities[row]));
     append_csv(text, line);
   }
   return text;
@@ -110,13 +103,12 @@ std::string counted_proportions_json(const CountedProportions& table) {
     Json entry{{"labels", labels_of(table.counts.labels, counted.labels)},
                {"k", counted.successes},
                {"n", counted.trials},
-               {"proportion", json_of(proportion(counted))}};
+               {"proportion", optional_json(proportion(counted))}};
     for (std::size_t i = 0; i < kIntervalMethods.size(); ++i) {
       const auto& interval = table.intervals[row][i];
-      entry["intervals"][std::string{name(kIntervalMethods[i])}] =
-          interval ? Json{interval->low, interval->high} : Json();
+      entry["intervals"][std::string{name(kIntervalMethods[i])}] = interval_json(interval);
     }
-    if (table.alternatives) entry["d_prime"] = json_of(table.sensitivities[row]);
+    if (table.alternatives) entry["d_prime"] = optional_json(table.sensitivities[row]);
     json["rows"].push_back(std::move(entry));
   }
   return json.dump(2) + "\n";

@@ -41,4 +41,8 @@ void append_csv(std::string& table, std::span<const CsvField> fields) {
   table += '\n';
 }
 
+CsvField csv_number(const std::optional<double>& value) {
+  return value ? CsvField{*value} : CsvField{};
+}
+
 }  // namespace bimodal::analysis

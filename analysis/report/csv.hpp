@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,5 +17,8 @@ using CsvField = std::variant<std::monostate, std::string_view, std::int64_t, do
 /// take the answer "NA" for a missing value all the same, unless told na.strings = character() or
 /// keep_default_na = False.
 void append_csv(std::string& table, std::span<const CsvField> fields);
+
+/// Absent where there is none.
+[[nodiscard]] CsvField csv_number(const std::optional<double>& value);
 
 }  // namespace bimodal::analysis

@@ -68,7 +68,7 @@ Json as_json(const Information& found) {
           {"response_entropy_bits", found.response_entropy},
           {"joint_entropy_bits", found.joint_entropy},
           {"transmitted_bits", found.transmitted},
-          {"transmitted_relative", found.relative ? Json(*found.relative) : Json()},
+          {"transmitted_relative", optional_json(found.relative)},
           {"transmitted_miller_madow_bits", found.miller_madow},
           {"transmitted_all_cells_possible_bits", found.all_cells_possible}};
 }
@@ -79,8 +79,7 @@ Json as_json(const std::optional<JackknifedTransmission>& jackknifed) {
 
 Json as_json(const std::optional<TransmissionInterval>& interval) {
   if (!interval) return {};
-  return {{"interval",
-           interval->interval ? Json{interval->interval->low, interval->interval->high} : Json()},
+  return {{"interval", interval_json(interval->interval)},
           {"level", 0.95},
           {"measured_coverage", interval->measured_coverage},
           {"simulated_studies", interval->simulated},
@@ -129,7 +128,7 @@ void append_line(std::string& table,
                  found->response_entropy,
                  found->joint_entropy,
                  found->transmitted,
-                 found->relative ? CsvField{*found->relative} : CsvField{},
+                 csv_number(found->relative),
                  found->miller_madow,
                  found->all_cells_possible});
   } else {

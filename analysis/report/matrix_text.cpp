@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "analysis/report/exported_matrix.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 
@@ -31,17 +32,18 @@ std::string matrix_csv(const ConfusionMatrix& matrix) {
 
 std::string matrix_text(const std::string& title, const ConfusionMatrix& matrix) {
   const auto columns = columns_with_responses(matrix);
-  std::size_t stub = 8;
-  for (const auto& stimulus : matrix.stimuli()) stub = std::max(stub, stimulus.size() + 1);
+  std::size_t label_width = 8;
+  for (const auto& stimulus : matrix.stimuli())
+    label_width = std::max(label_width, stimulus.size() + 1);
   std::string text = fmt::format(
-      "{}: row proportions (rows: stimuli, columns: responses)\n\n{:>{}}", title, "", stub);
+      "{}: row proportions (rows: stimuli, columns: responses)\n\n{:>{}}", title, "", label_width);
   const auto width = [&](std::size_t column) {
     return std::max<std::size_t>(5, matrix.responses()[column].size() + 1);
   };
   for (const auto j : columns) text += fmt::format("{:>{}}", matrix.responses()[j], width(j));
   text += fmt::format("{:>8}\n", "n");
   for (std::size_t i = 0; i < matrix.stimuli().size(); ++i) {
-    text += fmt::format("{:>{}}", matrix.stimuli()[i], stub);
+    text += fmt::format("{:>{}}", matrix.stimuli()[i], label_width);
     for (const auto j : columns) {
       const auto share = matrix.proportion(i, j);
       const bool shown = share && *share > 0.0;
@@ -65,17 +67,6 @@ std::string left_out_text(const UnitConfusions& confusions) {
                      confusions.without_phones == 0
                          ? ""
                          : fmt::format(" ({} of unknown phones)", confusions.without_phones));
-}
-
-std::string print_proportion(double proportion) {
-  auto text = fmt::format("{:.2f}", proportion);
-  if (text.starts_with("0.")) text.erase(0, 1);
-  return text;
-}
-
-std::string print_count(double count) {
-  const bool whole = std::abs(count - std::round(count)) < 1e-6;
-  return fmt::format("{:.{}f}", count, whole ? 0 : 1);
 }
 
 }  // namespace bimodal::analysis

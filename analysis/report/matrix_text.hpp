@@ -17,10 +17,4 @@ namespace bimodal::analysis {
 /// "Not in the table: ...": ambiguous alignments, words without the unit.
 [[nodiscard]] std::string left_out_text(const UnitConfusions& confusions);
 
-/// A proportion as tables of this field print it: two decimals, no leading zero (".07", "1.00").
-[[nodiscard]] std::string print_proportion(double proportion);
-
-/// A number of responses: "86", or "86.5" where responses were shared out between cells.
-[[nodiscard]] std::string print_count(double count);
-
 }  // namespace bimodal::analysis

@@ -6,8 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "analysis/report/comparison_table.hpp"
-#include "analysis/report/matrix_text.hpp"
 #include "analysis/report/page_parts.hpp"
+#include "analysis/report/printed_number.hpp"
 #include "analysis/report/report_figures.hpp"
 #include "stimuli/base/markup.hpp"
 
@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t kCellsTold = 20;
 constexpr std::size_t kContrastsTold = 10;
-constexpr double kWorthTelling = 0.05;  ///< loss of phi
 
 std::string row(std::string_view measure, std::string_view value, std::string_view basis) {
   return fmt::format(
@@ -25,13 +24,6 @@ std::string row(std::string_view measure, std::string_view value, std::string_vi
       measure,
       value,
       basis);
-}
-
-std::string three_decimals(const std::optional<double>& value) {
-  if (!value) return "&#8211;";
-  auto text = fmt::format("{:.3f}", *value);
-  if (text.starts_with("0.")) text.erase(0, 1);
-  return text;
 }
 
 /// "p = .023" with p as statistics have it.
@@ -115,11 +107,11 @@ std::string table_of(const FaceComparison& comparison) {
       row_of_agreement("off-diagonal", cells.off_diagonal, comparison.ceiling_off_diagonal),
       row("RMS difference",
           fmt::format("{}; off-diagonal {}",
-                      three_decimals(cells.all.rms_difference),
-                      three_decimals(cells.off_diagonal.rms_difference)),
+                      print_decimals(cells.all.rms_difference, 3),
+                      print_decimals(cells.off_diagonal.rms_difference, 3)),
           fmt::format("{} and {} row proportions", cells.all.cells, cells.off_diagonal.cells)),
       row("Jensen&#8211;Shannon divergence",
-          three_decimals(mean_divergence(cells)) + " bits",
+          print_decimals(mean_divergence(cells), 3) + " bits",
           fmt::format("mean of {} rows; 0: the same responses, 1: none in common",
                       cells.rows.size())),
       row_of_test(comparison),
@@ -142,7 +134,7 @@ std::string cells_in_words(const FaceComparison& comparison) {
                     escaped(comparison.one_matrix.responses()[cell.response]),
                     print_signed(comparison.one_matrix.proportion(cell.stimulus, cell.response)),
                     print_signed(comparison.other_matrix.proportion(cell.stimulus, cell.response)),
-                    three_decimals(cell.q));
+                    print_decimals(cell.q, 3));
   }
   return fmt::format(
       "<p><b>Cells that differ</b> (permutation, false discovery rate .05), {}{}: {}.</p>\n",
@@ -156,7 +148,7 @@ std::string contrasts_in_words(const FaceComparison& comparison) {
   std::string items;
   std::size_t told = 0;
   for (const auto& contrast : comparison.contrasts) {
-    if (told == kContrastsTold || contrast.loss() < kWorthTelling) break;
+    if (told == kContrastsTold || contrast.loss() < kLossWorthTelling) break;
     ++told;
     items += fmt::format("<li>{}</li>\n",
                          escaped(contrast_in_words(contrast, comparison.one, comparison.other)));

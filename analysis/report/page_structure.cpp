@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/report/matrix_text.hpp"
 #include "analysis/report/page_parts.hpp"
+#include "analysis/report/printed_number.hpp"
 #include "analysis/report/report_figures.hpp"
 #include "stimuli/base/markup.hpp"
 

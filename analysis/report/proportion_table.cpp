@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include "analysis/report/csv.hpp"
-#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/json_count.hpp"
+#include "analysis/report/printed_number.hpp"
 #include "analysis/statistics/discrimination.hpp"
 
 namespace bimodal::analysis {
@@ -95,11 +96,11 @@ std::string proportion_csv(const ProportionTable& table) {
                  row.words,
                  row.correct,
                  row.judged,
-                 row.proportion ? CsvField{*row.proportion} : CsvField{},
+                 csv_number(row.proportion),
                  row.interval ? CsvField{row.interval->low} : CsvField{},
                  row.interval ? CsvField{row.interval->high} : CsvField{},
                  std::string_view{row.method},
-                 sensitivity ? CsvField{*sensitivity} : CsvField{}});
+                 csv_number(sensitivity)});
     append_csv(text, line);
   }
   return text;
@@ -115,12 +116,12 @@ Json proportion_json(const ProportionTable& table) {
                {"words", row.words},
                {"correct", row.correct},
                {"judged", row.judged},
-               {"proportion", row.proportion ? Json(*row.proportion) : Json()},
-               {"interval", row.interval ? Json{row.interval->low, row.interval->high} : Json()},
+               {"proportion", optional_json(row.proportion)},
+               {"interval", interval_json(row.interval)},
                {"method", row.method}};
     if (table.alternatives) {
       const auto sensitivity = sensitivity_of(table, row);
-      entry["d_prime"] = sensitivity ? Json(*sensitivity) : Json();
+      entry["d_prime"] = optional_json(sensitivity);
     }
     rows.push_back(std::move(entry));
   }

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/csv.hpp"
-#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/csv.hpp"
-#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 #include "analysis/scoring/label_pair.hpp"
 
 namespace bimodal::analysis {

@@ -43,10 +43,6 @@ CsvField text(const std::optional<std::string>& value) {
   return value ? CsvField{std::string_view{*value}} : CsvField{};
 }
 
-CsvField number(const std::optional<double>& value) {
-  return value ? CsvField{*value} : CsvField{};
-}
-
 template <typename Integer>
 CsvField count(Integer value) {
   return static_cast<std::int64_t>(value);
@@ -91,7 +87,7 @@ ReportFile trials_table(const Results& results) {
                text(trial.condition),
                text(trial.auditory_talker),
                text(trial.visual_talker),
-               number(trial.snr_db),
+               csv_number(trial.snr_db),
                text(trial.word),
                text(trial.visual_word),
                text(trial.articulation),
@@ -163,7 +159,7 @@ ReportFile proportions_table(const Results& results) {
                count(row.words),
                count(row.correct),
                count(row.judged),
-               number(row.proportion),
+               csv_number(row.proportion),
                low,
                high,
                text(row.method)});
@@ -185,7 +181,7 @@ ReportFile confusions_table(const Results& results) {
                    text(matrix.responses()[j]),
                    matrix.count(i, j),
                    matrix.row_total(i),
-                   number(matrix.proportion(i, j))});
+                   csv_number(matrix.proportion(i, j))});
       }
     }
   }
@@ -202,8 +198,8 @@ ReportFile likeness_table(const Results& results) {
                row.trials_of_other,
                count(row.likeness.cells),
                count(row.likeness.cells_used),
-               number(row.likeness.correlation),
-               number(row.likeness.rms_deviation)});
+               csv_number(row.likeness.correlation),
+               csv_number(row.likeness.rms_deviation)});
   }
   return std::move(table).take();
 }
@@ -226,16 +222,16 @@ ReportFile benefits_table(const Results& results) {
                count(row.n_visual),
                count(row.n),
                row.a,
-               number(row.v),
+               csv_number(row.v),
                row.av,
                row.benefit.gain,
                low(row.gain_interval),
                high(row.gain_interval),
-               number(row.benefit.relative),
+               csv_number(row.benefit.relative),
                low(row.relative_interval),
                high(row.relative_interval),
-               number(row.benefit.log_odds),
-               number(row.benefit.excess),
+               csv_number(row.benefit.log_odds),
+               csv_number(row.benefit.excess),
                text(row.method)});
   }
   return std::move(table).take();
@@ -256,10 +252,10 @@ ReportFile comparison_table(const Results& results) {
                    text(one.responses()[j]),
                    one.count(i, j),
                    other.count(i, j),
-                   number(one.proportion(i, j)),
-                   number(other.proportion(i, j)),
-                   number(comparison.permutation.cell_p.at(cell)),
-                   number(comparison.permutation.cell_q.at(cell))});
+                   csv_number(one.proportion(i, j)),
+                   csv_number(other.proportion(i, j)),
+                   csv_number(comparison.permutation.cell_p.at(cell)),
+                   csv_number(comparison.permutation.cell_q.at(cell))});
       }
     }
   }

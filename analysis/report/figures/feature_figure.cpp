@@ -8,7 +8,7 @@
 #include "analysis/report/figures/colours.hpp"
 #include "analysis/report/figures/legend.hpp"
 #include "analysis/report/figures/share_axis.hpp"
-#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 

@@ -8,7 +8,7 @@
 #include "analysis/report/figures/colours.hpp"
 #include "analysis/report/figures/matrix_cells.hpp"
 #include "analysis/report/figures/matrix_panel.hpp"
-#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 

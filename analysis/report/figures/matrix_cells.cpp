@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "analysis/report/figures/colours.hpp"
-#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 

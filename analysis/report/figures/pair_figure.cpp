@@ -10,7 +10,7 @@
 #include "analysis/report/figures/matrix_cells.hpp"
 #include "analysis/report/figures/matrix_panel.hpp"
 #include "analysis/report/figures/share_axis.hpp"
-#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 

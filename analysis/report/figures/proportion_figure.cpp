@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "analysis/report/figures/share_axis.hpp"
-#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 

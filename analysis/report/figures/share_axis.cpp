@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 

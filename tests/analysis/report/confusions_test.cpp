@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "analysis/report/matrix_text.hpp"
+#include "analysis/report/printed_number.hpp"
 #include "tests/analysis/examples.hpp"
 
 namespace bimodal::analysis {

@@ -10,6 +10,7 @@
 #include "analysis/report/matrix_text.hpp"
 #include "analysis/report/page.hpp"
 #include "analysis/report/place_class.hpp"
+#include "analysis/report/printed_number.hpp"
 #include "analysis/report/tables.hpp"
 #include "stimuli/base/markup.hpp"
 #include "tests/analysis/examples.hpp"

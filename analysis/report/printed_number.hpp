@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace bimodal::analysis {
+
+/// Numbers for people, as APA 7 prints what cannot be above 1 (proportions, correlations, p): no
+/// zero before the decimal point.
+
+/// So many decimals: ".43", "-.07", "1.00"; never "-.00".
+[[nodiscard]] std::string print_decimals(double value, int decimals = 2);
+
+/// A hyphen where there is none.
+[[nodiscard]] std::string print_decimals(const std::optional<double>& value, int decimals = 2);
+
+/// A proportion: ".07", "1.00".
+[[nodiscard]] std::string print_proportion(double proportion);
+
+/// A number of responses: "86", or "86.5" where responses were shared out between cells.
+[[nodiscard]] std::string print_count(double count);
+
+/// "p = .023", "p < .001".
+[[nodiscard]] std::string print_p(double p);
+
+}  // namespace bimodal::analysis
