@@ -35,18 +35,19 @@ function(bimodal_precompiled name options)
   target_precompile_headers(${name} PRIVATE ${ARGN})
 endfunction()
 
-# Only where a sanitizer compiles everything once more. The commands of the release build are read by
-# clang-tidy, which cannot read GCC's precompiled headers; there a missing #include is to be an
-# error, and GCC 12 optimises with false alarms about what was precompiled.
+# The programs' sources only where a sanitizer compiles them once more. The commands of the release
+# build are read by clang-tidy, which cannot read GCC's precompiled headers; there a missing #include
+# is to be an error, and GCC 12 optimises with false alarms about what was precompiled. The tests'
+# sources everywhere.
 if(BIMODAL_SANITIZE)
   bimodal_precompiled(bimodal_precompiled fmt::fmt
     <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <set> <span>
     <string> <string_view> <vector> <fmt/format.h>)
 endif()
 
-function(bimodal_reuse_precompiled target precompiled)
+function(bimodal_reuse_precompiled target)
   if(BIMODAL_SANITIZE)
-    target_precompile_headers(${target} REUSE_FROM ${precompiled})
+    target_precompile_headers(${target} REUSE_FROM bimodal_precompiled)
   endif()
 endfunction()
 
@@ -58,7 +59,7 @@ function(bimodal_library name folder)
   if(sources)
     add_library(bimodal_${name} STATIC ${sources})
     target_link_libraries(bimodal_${name} PUBLIC bimodal_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
-    bimodal_reuse_precompiled(bimodal_${name} bimodal_precompiled)
+    bimodal_reuse_precompiled(bimodal_${name})
   else()  # headers only
     add_library(bimodal_${name} INTERFACE)
     target_link_libraries(bimodal_${name} INTERFACE bimodal_options ${arg_PUBLIC})
@@ -74,7 +75,7 @@ function(bimodal_program name folder)
   if(sources)
     add_library(bimodal_${name}_verbs STATIC ${sources})
     target_link_libraries(bimodal_${name}_verbs PUBLIC bimodal_options ${ARGN})
-    bimodal_reuse_precompiled(bimodal_${name}_verbs bimodal_precompiled)
+    bimodal_reuse_precompiled(bimodal_${name}_verbs)
     add_executable(${name} ${PROJECT_SOURCE_DIR}/${folder}/main.cpp)
     target_link_libraries(${name} PRIVATE bimodal_${name}_verbs)
     set_target_properties(${name} PROPERTIES

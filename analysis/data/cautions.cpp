@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -132,6 +134,37 @@ void caution_repetitions(Dataset& dataset) {
                   fmt::join(participants, ", ")));
 }
 
+/// Of lines pasted twice, and of data given in two files.
+void caution_copies(Dataset& dataset) {
+  const auto place = [&dataset](const Trial* trial) {
+    return std::tuple<std::string_view, bool, int, int, int, std::string_view, std::string_view>{
+        trial->participant,
+        trial->simulated,
+        dataset.sessions[trial->session].session_number,
+        trial->block,
+        trial->trial,
+        trial->condition,
+        trial->word};
+  };
+  std::vector<const Trial*> trials;
+  trials.reserve(dataset.trials.size());
+  for (const auto& trial : dataset.trials) trials.push_back(&trial);
+  std::ranges::sort(trials, {}, place);
+  std::int64_t copies = 0;
+  std::set<std::string_view> participants;
+  for (std::size_t i = 1; i < trials.size(); ++i) {
+    if (place(trials[i]) != place(trials[i - 1])) continue;
+    ++copies;
+    participants.insert(trials[i]->participant);
+  }
+  if (copies == 0) return;
+  dataset.warnings.push_back(fmt::format(
+      "{} in the data already, with the same participant, session, block, number, condition and "
+      "word (participants: {}), as if pasted or given twice; all are counted.",
+      counted(copies, "trial is", "trials are"),
+      fmt::join(participants, ", ")));
+}
+
 void caution_trials(Dataset& dataset) {
   const auto flagged = std::ranges::count_if(dataset.trials, &Trial::flagged);
   if (flagged > 0) {
@@ -166,6 +199,7 @@ void add_cautions(Dataset& dataset) {
   caution_face_qualities(dataset);
   caution_unfinished(dataset);
   caution_shortened(dataset);
+  caution_copies(dataset);
   caution_repetitions(dataset);
   caution_trials(dataset);
 }

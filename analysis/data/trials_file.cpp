@@ -189,7 +189,11 @@ class TrialReader {
     fields_ = std::move(fields);
     auto stimulus = name("stimulus");
     if (!stimulus) csv_.refuse("the trial has no stimulus", "name what was presented");
-    const auto participant = name("participant").value_or("1");
+    const auto participant = text("participant").value_or("1");
+    if (participant.empty()) {
+      csv_.refuse("the trial has no participant",
+                  "name who answered; a table of one participant may leave out the column");
+    }
     const auto session = whole("session", 1);
     auto& trials = session_of(participant, session).trials;
     trials.push_back({.session = 0,

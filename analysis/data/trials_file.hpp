@@ -16,8 +16,9 @@ namespace bimodal::analysis {
 /// "response"; "participant", "condition" and every other field of kTrialFields where there is one.
 /// A table of trials that `report` wrote is one. Text is never interpreted: "NA" is a syllable; but
 /// in columns of numbers "NA" and nothing mean that there is none. A trial without condition
-/// belongs to "all", one without participant to "1". Phones may be given as ARPAbet; else they stay
-/// empty until a lexicon is asked. Throws Error, naming file and line.
+/// belongs to "all"; where no column names participants, all trials are one's, "1". Phones may be
+/// given as ARPAbet; else they stay empty until a lexicon is asked. Throws Error, naming file and
+/// line.
 [[nodiscard]] TrialsOfFile parse_trials(std::string_view text,
                                         std::string_view file,
                                         const TrialMapping& mapping = {});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -106,8 +107,13 @@ void exclude_below(const Criterion& criterion, Results& results) {
     tally.correct += results.scores[i].word_correct() ? 1 : 0;
   }
   if (tallies.empty() && !dataset.trials.empty()) {
-    throw Error{fmt::format("leaving out participants: the data have no condition \"{}\"",
-                            criterion.condition)};
+    std::set<std::string_view> known;
+    for (const auto& trial : dataset.trials) known.insert(trial.condition);
+    throw Error{
+        fmt::format("leaving out participants: the data have no condition \"{}\"; there {} {}",
+                    criterion.condition,
+                    known.size() == 1 ? "is only" : "are",
+                    fmt::join(known, ", "))};
   }
   std::set<std::string> below;
   for (const auto& [participant, tally] : tallies) {

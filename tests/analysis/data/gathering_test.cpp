@@ -98,6 +98,24 @@ TEST(Gathering, KeepsFilesAndTheirWarnings) {
   EXPECT_THAT(found.warnings, testing::Contains("W").Times(2));
 }
 
+/// By number, too: a word met again in a later trial is no copy.
+TEST(Gathering, WarnsOfTrialsThatAreThereTwice) {
+  const auto numbered = [](int number) {
+    auto trial = answered("one", 1s, 2s);
+    trial.trial = number;
+    return trial;
+  };
+  EXPECT_THAT(gather(file_of({numbered(0), numbered(1)})).warnings,
+              testing::Not(testing::Contains(HasSubstr("in the data already"))));
+  const auto pasted = gather(file_of({numbered(0), numbered(1), numbered(1), numbered(1)}));
+  EXPECT_THAT(pasted.warnings, testing::Contains(HasSubstr("2 trials are in the data already")));
+  EXPECT_EQ(pasted.trials.size(), 4U);
+  auto twice = file_of({numbered(7)});
+  twice.push_back(twice.front());
+  EXPECT_THAT(gather(std::move(twice)).warnings,
+              testing::Contains(HasSubstr("1 trial is in the data already")));
+}
+
 TEST(Gathering, RefusesNamesThatDoNotOccur) {
   const auto fault = [](const Selection& selection) {
     return fault_of([&] { return gather(file_of({answered("one", 1s, 2s)}), selection); });

@@ -152,6 +152,8 @@ TEST(TrialsFile, RefusesWhatItCannotReadAndSaysWhere) {
   EXPECT_THAT(fault_in("stimulus,response\na\n"), HasSubstr("t.csv:2: 1 fields"));
   EXPECT_THAT(fault_in("stimulus,response\na,b\n,b\n"), HasSubstr("t.csv:3: the trial has no"));
   EXPECT_THAT(fault_in("stimulus,response\n\xff,b\n"), HasSubstr("not UTF-8"));
+  EXPECT_THAT(fault_in("participant,stimulus,response\nP1,a,b\n,a,b\n"),
+              HasSubstr("t.csv:3: the trial has no participant"));
   const auto fault_of_value = [](const std::string& column, const std::string& value) {
     return fault_in("stimulus,response," + column + "\na,\"b\nc\",\na,b," + value + "\n");
   };
