@@ -137,14 +137,14 @@ void caution_repetitions(Dataset& dataset) {
 /// Of lines pasted twice, and of data given in two files.
 void caution_copies(Dataset& dataset) {
   const auto place = [&dataset](const Trial* trial) {
-    return std::tuple<std::string_view, bool, int, int, int, std::string_view, std::string_view>{
-        trial->participant,
-        trial->simulated,
-        dataset.sessions[trial->session].session_number,
-        trial->block,
-        trial->trial,
-        trial->condition,
-        trial->word};
+    return std::tuple{std::string_view{trial->participant},
+                      trial->simulated,
+                      dataset.sessions[trial->session].session_number,
+                      std::string_view{trial->phase},
+                      trial->block,
+                      trial->trial,
+                      std::string_view{trial->condition},
+                      std::string_view{trial->word}};
   };
   std::vector<const Trial*> trials;
   trials.reserve(dataset.trials.size());
@@ -159,8 +159,8 @@ void caution_copies(Dataset& dataset) {
   }
   if (copies == 0) return;
   dataset.warnings.push_back(fmt::format(
-      "{} in the data already, with the same participant, session, block, number, condition and "
-      "word (participants: {}), as if pasted or given twice; all are counted.",
+      "{} in the data already, with the same participant, session, phase, block, number, condition "
+      "and word (participants: {}), as if pasted or given twice; all are counted.",
       counted(copies, "trial is", "trials are"),
       fmt::join(participants, ", ")));
 }

@@ -118,15 +118,17 @@ void demand_known(const std::vector<std::string>& selected,
                   std::string_view kind) {
   for (const auto& name : selected) {
     if (known.contains(name)) continue;
-    throw Error{fmt::format("selecting trials: no {} \"{}\" in the data; there {} {}",
-                            kind,
-                            name,
-                            known.size() == 1 ? "is only" : "are",
-                            known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", ")))};
+    throw Error{fmt::format(
+        "selecting trials: no {} \"{}\" in the data; {}", kind, name, names_there(known))};
   }
 }
 
 }  // namespace
+
+std::string names_there(const std::set<std::string>& names) {
+  if (names.empty()) return "there are none";
+  return fmt::format("there {} {}", names.size() == 1 ? "is only" : "are", fmt::join(names, ", "));
+}
 
 Dataset gather(std::vector<TrialsOfFile>&& files, const Selection& selection) {
   Dataset dataset;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct TrialsOfFile {
   std::vector<SessionTrials> sessions;
   std::vector<std::string> warnings;  ///< about the file itself
 };
+
+/// For messages, which names the data have: "there is only A", "there are A, V", "there are none".
+[[nodiscard]] std::string names_there(const std::set<std::string>& names);
 
 /// Chooses trials and counts what is left out. The response time of a trial is that of its first
 /// key, or of its submission where no key is known; trials without either are not judged by it.

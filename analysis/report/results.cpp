@@ -4,13 +4,13 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analysis/data/gathering.hpp"
 #include "stimuli/base/error.hpp"
 
 namespace bimodal::analysis {
@@ -107,13 +107,11 @@ void exclude_below(const Criterion& criterion, Results& results) {
     tally.correct += results.scores[i].word_correct() ? 1 : 0;
   }
   if (tallies.empty() && !dataset.trials.empty()) {
-    std::set<std::string_view> known;
+    std::set<std::string> known;
     for (const auto& trial : dataset.trials) known.insert(trial.condition);
-    throw Error{
-        fmt::format("leaving out participants: the data have no condition \"{}\"; there {} {}",
-                    criterion.condition,
-                    known.size() == 1 ? "is only" : "are",
-                    fmt::join(known, ", "))};
+    throw Error{fmt::format("leaving out participants: the data have no condition \"{}\"; {}",
+                            criterion.condition,
+                            names_there(known))};
   }
   std::set<std::string> below;
   for (const auto& [participant, tally] : tallies) {

@@ -11,6 +11,7 @@ What does not compile together is tried again in halves. Ends with 1 if anything
 
 import collections
 import concurrent.futures
+import itertools
 import json
 import os
 import re
@@ -71,12 +72,11 @@ class Tidy:
     def __init__(self, build):
         self.folder = build / "tidy"
         self.folder.mkdir(exist_ok=True)
-        self.made = 0
+        self.numbers = itertools.count()  # each taken once, by whichever thread
 
     def write(self, batch, directory, command):
         """A folder with a file that includes the batch, and with the command that compiles it."""
-        self.made += 1
-        folder = self.folder / str(self.made)
+        folder = self.folder / str(next(self.numbers))
         folder.mkdir(exist_ok=True)
         together = folder / "together.cpp"
         together.write_text("".join(f'#include "{source}"\n' for source in batch))

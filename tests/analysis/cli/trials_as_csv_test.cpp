@@ -97,7 +97,8 @@ TEST_F(TrialsAsCsv, RefuseACriterionThatIsNone) {
   }
   const auto unknown = run_on_trials(matrix({"--at-least", "tactile=0.5"}));
   EXPECT_EQ(unknown.code, ExitCode::InvalidInput);
-  EXPECT_THAT(unknown.err, HasSubstr("the data have no condition \"tactile\""));
+  EXPECT_THAT(unknown.err,
+              HasSubstr("the data have no condition \"tactile\"; there are auditory, visual"));
 }
 
 TEST_F(TrialsAsCsv, SayWhereTheyCameFromAndWhatWasLeftOut) {

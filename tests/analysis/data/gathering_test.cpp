@@ -110,6 +110,10 @@ TEST(Gathering, WarnsOfTrialsThatAreThereTwice) {
   const auto pasted = gather(file_of({numbered(0), numbered(1), numbered(1), numbered(1)}));
   EXPECT_THAT(pasted.warnings, testing::Contains(HasSubstr("2 trials are in the data already")));
   EXPECT_EQ(pasted.trials.size(), 4U);
+  auto practised = numbered(1);
+  practised.phase = "practice";
+  EXPECT_THAT(gather(file_of({practised, numbered(1)}), {.include_practice = true}).warnings,
+              testing::Not(testing::Contains(HasSubstr("in the data already"))));
   auto twice = file_of({numbered(7)});
   twice.push_back(twice.front());
   EXPECT_THAT(gather(std::move(twice)).warnings,
