@@ -122,6 +122,9 @@ void add_matrix_options(CLI::App& verb, MatrixChoice& choice) {
 }
 
 bool is_matrix_file(const std::filesystem::path& file, const AnalysisRequest& request) {
+  if (std::filesystem::is_directory(file)) {
+    throw Error{fmt::format("cannot read '{}': it is a folder; name a file", file.string())};
+  }
   return has_matrix_ending(file) && !is_trial_file(file, request);
 }
 

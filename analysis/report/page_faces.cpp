@@ -169,10 +169,14 @@ std::string contrasts_in_words(const FaceComparison& comparison) {
 
 std::string part_of_comparison(const FaceComparison& comparison, int number) {
   return fmt::format(
-      "<h3>{}</h3>\n<figure>{}<figcaption><b>Figure {}. {}: {} and {}.</b> Row proportions of "
+      "<h3>{}</h3>\n<figure data-unit='{}' data-first='{}' "
+      "data-second='{}'>{}<figcaption><b>Figure {}. {}: {} and {}.</b> Row proportions of "
       "each ({} and {} responses), and the first less the second; {}. At the right the number of "
       "presentations.</figcaption></figure>\n{}{}{}",
       escaped(comparison.title),
+      comparison.unit ? name(*comparison.unit) : std::string_view{},
+      escaped(comparison.one),
+      escaped(comparison.other),
       figure_of_comparison(comparison, PaperWidth::TwoColumns),
       number,
       escaped(comparison.title),

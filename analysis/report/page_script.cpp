@@ -23,11 +23,16 @@ std::string_view page_script() {
     if (opener) { opener.focus(); }
     opener = null;
   }
-  function trialsOf(figure, wanted) {
-    var unit = data.units.indexOf(figure.dataset.unit);
-    var condition = data.conditions.indexOf(figure.dataset.condition);
+  function conditionsOf(figure, side) {
+    if (!side) { return [figure.dataset.condition]; }
+    if (side === 'both') { return [figure.dataset.first, figure.dataset.second]; }
+    return [figure.dataset[side]];
+  }
+  function trialsOf(unitName, conditions, wanted) {
+    var unit = data.units.indexOf(unitName);
+    var numbers = conditions.map(function (name) { return data.conditions.indexOf(name); });
     return data.trials.filter(function (trial) {
-      if (trial[1] !== condition) { return false; }
+      if (!numbers.includes(trial[1])) { return false; }
       return wanted(data.words[trial[2]][1 + unit], trial[6 + unit]);
     });
   }
@@ -40,17 +45,18 @@ std::string_view page_script() {
     });
     return line;
   }
-  function list(figure, from, title, wanted) {
-    var trials = trialsOf(figure, wanted);
+  function list(figure, from, title, conditions, wanted) {
+    var trials = trialsOf(figure.dataset.unit, conditions, wanted);
     var table = document.createElement('table');
     var head = document.createElement('thead');
     var body = document.createElement('tbody');
-    var heading = title + ', condition ' + figure.dataset.condition + ': ' + trials.length +
-      (trials.length === 1 ? ' trial' : ' trials');
+    var heading = title + (conditions.length === 1 ? ', condition ' : ', conditions ') +
+      conditions.join(' and ') + ': ' + trials.length + (trials.length === 1 ? ' trial' : ' trials');
     var button = make('button', 'Close');
-    head.append(row(['Participant', 'Trial', 'Word', 'Answer', 'Timing'], 'th'));
+    head.append(row(['Participant', 'Condition', 'Trial', 'Word', 'Answer', 'Timing'], 'th'));
     trials.forEach(function (trial) {
-      body.append(row([data.participants[trial[0]], trial[4], data.words[trial[2]][0],
+      body.append(row([data.participants[trial[0]], data.conditions[trial[1]], trial[4],
+        data.words[trial[2]][0],
         data.answers[trial[3]] === '' ? '(blank)' : data.answers[trial[3]],
         trial[5] ? 'flagged: not as planned' : 'as planned'], 'td'));
     });
@@ -69,16 +75,18 @@ std::string_view page_script() {
     var labels = cell.dataset.cell.split(' ');
     var stimulus = data.labels.indexOf(labels[0]);
     var response = data.labels.indexOf(labels[1]);
-    list(figure, cell, labels[0] + ' answered ' + labels[1], function (presented, answered) {
-      return presented === stimulus ? [].concat(answered).includes(response) : false;
-    });
+    list(figure, cell, labels[0] + ' answered ' + labels[1],
+      conditionsOf(figure, cell.dataset.side), function (presented, answered) {
+        return presented === stimulus ? [].concat(answered).includes(response) : false;
+      });
   }
   function neighbour(cells, cell, key) {
     var at = cells.indexOf(cell);
     if (key === 'ArrowRight') { return cells[at + 1]; }
     if (key === 'ArrowLeft') { return cells[at - 1]; }
     var column = cells.filter(function (other) {
-      return other.getAttribute('x') === cell.getAttribute('x');
+      return other.getAttribute('x') === cell.getAttribute('x') ?
+        other.dataset.side === cell.dataset.side : false;
     });
     at = column.indexOf(cell);
     if (key === 'ArrowDown') { return column[at + 1]; }
@@ -98,11 +106,14 @@ std::string_view page_script() {
     next.focus();
   }
   function addChoice(figure, line, name, wanted) {
-    var count = trialsOf(figure, wanted).length;
+    var conditions = conditionsOf(figure);
+    var count = trialsOf(figure.dataset.unit, conditions, wanted).length;
     if (count === 0) { return; }
     var button = make('button', name + ' (' + count + ')');
     button.type = 'button';
-    button.addEventListener('click', function () { list(figure, button, name, wanted); });
+    button.addEventListener('click', function () {
+      list(figure, button, name, conditions, wanted);
+    });
     line.append(button);
   }
   document.querySelectorAll('figure[data-unit]').forEach(function (figure) {
@@ -117,13 +128,14 @@ std::string_view page_script() {
       cell.addEventListener('keydown', function (event) { onKey(figure, cells, cell, event); });
     });
     line.className = 'choices';
+    figure.append(line);
+    if (!figure.dataset.condition) { return; }
     addChoice(figure, line, 'Ambiguous, left out', function (presented, answered) {
       return presented === -1 ? false : answered === -1;
     });
     addChoice(figure, line, 'Words without such a phone', function (presented) {
       return presented === -1;
     });
-    figure.append(line);
   });
   document.addEventListener('keydown', function (event) {
     if (event.key === 'Escape') { if (opener) { close(); } }

@@ -42,6 +42,7 @@ std::string heat_map(const ConfusionMatrix& matrix, const HeatMapOptions& option
   const auto axes = arrange(matrix, options.arrangement);
   const MatrixPanel panel{.title = {},
                           .note_heading = "n",
+                          .side = {},
                           .look =
                               [&](std::size_t row, std::size_t column) {
                                 auto look =

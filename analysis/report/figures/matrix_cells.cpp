@@ -17,6 +17,11 @@ bool is_diagonal(const ConfusionMatrix& matrix, std::size_t row, std::size_t col
   return matrix.stimuli()[row] == matrix.responses()[column];
 }
 
+/// "F V".
+std::string cell_name(const ConfusionMatrix& matrix, std::size_t row, std::size_t column) {
+  return fmt::format("{} {}", matrix.stimuli()[row], matrix.responses()[column]);
+}
+
 /// "-.12", with a real minus sign.
 std::string print_difference(double difference) {
   return (difference < 0.0 ? "\u2212" : "") + print_proportion(std::abs(difference));
@@ -37,7 +42,7 @@ CellLook look_of_proportion(const ConfusionMatrix& matrix,
     return look;
   }
   if (*share == 0.0) return look;
-  look.cell = fmt::format("{} {}", matrix.stimuli()[row], matrix.responses()[column]);
+  look.cell = cell_name(matrix, row, column);
   look.fill = sequential_colour(is_square_root ? std::sqrt(*share) : *share);
   look.meaning = fmt::format("{} answered {}: {} ({} of {})",
                              matrix.stimuli()[row],
@@ -64,6 +69,7 @@ CellLook look_of_difference(const ConfusionMatrix& one,
   }
   const double difference = *share_of_one - *share_of_other;
   if (*share_of_one == 0.0 && *share_of_other == 0.0) return look;
+  look.cell = cell_name(one, row, column);
   look.fill = diverging_colour(difference / largest);
   look.meaning = fmt::format("{} answered {}: {} and {}, difference {}",
                              one.stimuli()[row],

@@ -210,7 +210,10 @@ class PanelPainter {
     const auto look = panel_.look(axes_.rows[row], axes_.columns[column]);
     if (!look.fill.empty()) {
       svg.box(box_of(row, column, 0.0),
-              {.fill = look.fill, .meaning = look.meaning, .cell = look.cell});
+              {.fill = look.fill,
+               .meaning = look.meaning,
+               .cell = look.cell,
+               .side = look.cell.empty() ? std::string_view{} : std::string_view{panel_.side}});
     }
     if (look.is_diagonal) {
       svg.box(box_of(row, column, 0.6), {.stroke = "#9aa7b4", .width = 0.4});

@@ -30,6 +30,8 @@ struct RowNote {
 struct MatrixPanel {
   std::string title;         ///< above it; empty: none
   std::string note_heading;  ///< above the notes; empty: none
+  std::string
+      side;  ///< "first", "second", "both": of two matrices in a figure whose; empty: of one
   std::function<CellLook(std::size_t, std::size_t)> look;
   std::function<RowNote(std::size_t)> note;  ///< at the right of rows; empty: none
 };

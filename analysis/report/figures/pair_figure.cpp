@@ -61,8 +61,8 @@ class PairPainter {
         axes_{arrange(pair.natural_matrix, arrangement)},
         largest_{largest_difference(pair)},
         svg_{points(width), "Two conditions compared: " + pair.title, describe(pair, largest_)},
-        natural_{proportions(pair.natural_matrix, pair.natural)},
-        synthetic_{proportions(pair.synthetic_matrix, pair.synthetic)},
+        natural_{proportions(pair.natural_matrix, pair.natural, "first")},
+        synthetic_{proportions(pair.synthetic_matrix, pair.synthetic, "second")},
         difference_{differences()} {}
 
   std::string draw(PaperWidth width) {
@@ -73,9 +73,12 @@ class PairPainter {
   }
 
  private:
-  static MatrixPanel proportions(const ConfusionMatrix& matrix, const std::string& name) {
+  static MatrixPanel proportions(const ConfusionMatrix& matrix,
+                                 const std::string& name,
+                                 const std::string& side) {
     return {.title = name,
             .note_heading = "n",
+            .side = side,
             .look =
                 [&matrix](std::size_t row, std::size_t column) {
                   auto look = look_of_proportion(matrix, row, column, false);
@@ -89,6 +92,7 @@ class PairPainter {
   MatrixPanel differences() const {
     return {.title = pair_.natural + " \u2212 " + pair_.synthetic,
             .note_heading = {},
+            .side = "both",
             .look =
                 [this](std::size_t row, std::size_t column) {
                   auto look = look_of_difference(

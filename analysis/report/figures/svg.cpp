@@ -138,6 +138,9 @@ void Svg::shape(std::string_view geometry, const Paint& paint) {
   if (!paint.cell.empty()) {
     fmt::format_to(std::back_inserter(content_), " data-cell='{}'", escaped(paint.cell));
   }
+  if (!paint.side.empty()) {
+    fmt::format_to(std::back_inserter(content_), " data-side='{}'", paint.side);
+  }
   if (paint.meaning.empty()) {
     content_ += "/>\n";
   } else {

@@ -41,6 +41,7 @@ struct Paint {
   double opacity = 1.0;      ///< of the whole shape
   std::string_view meaning;  ///< told where the pointer rests on it; empty: nothing
   std::string_view cell;     ///< "F V": whose cell of a matrix it is, as data-cell; empty: none
+  std::string_view side;     ///< of two matrices in the figure whose, as data-side; empty: of one
 };
 
 struct Box {

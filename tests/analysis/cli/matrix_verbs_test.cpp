@@ -69,6 +69,9 @@ TEST_F(MatrixVerbs, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(empty.code, ExitCode::Findings);
   EXPECT_THAT(empty.err, HasSubstr("the matrix has no responses"));
   EXPECT_THAT(run({"information", "x.sqlite"}).err, HasSubstr("Give --unit"));
+  const auto folder = run({"information", files_.folder().string()});
+  EXPECT_EQ(folder.code, ExitCode::InvalidInput);
+  EXPECT_THAT(folder.err, HasSubstr("it is a folder; name a file"));
   EXPECT_THAT(empty.out, IsEmpty());
 }
 

@@ -23,6 +23,15 @@ Results study(const std::string& last_condition = "V <b>&\"") {
   return results_of(conditions, 2, {.bootstrap = {.draws = 100, .seed = 1}});
 }
 
+/// With the two faces compared.
+Results two_faces() {
+  return results_of(five_conditions(),
+                    2,
+                    {.bootstrap = {.draws = 100, .seed = 1},
+                     .faces = FaceConditions{"AV natural", "AV synthetic"},
+                     .comparison = {.permutations = 50, .splits = 10, .seed = 1}});
+}
+
 /// What a browser without network makes of the page when a script has done something in it.
 std::optional<std::string> seen_in_browser(std::string page, const std::string& deed) {
   const WrittenFiles folder;
@@ -66,7 +75,7 @@ TEST(TrialsOfACell, AreListedOnAClick) {
           std::string{kShow});
   ASSERT_TRUE(shown);
   EXPECT_THAT(*shown,
-              HasSubstr("SHOWN P1|5|mat|mat|as planned TOLD M answered M, condition A: 1 trial "
+              HasSubstr("SHOWN P1|A|5|mat|mat|as planned TOLD M answered M, condition A: 1 trial "
                         "FOCUS Close END"));
 }
 
@@ -91,6 +100,50 @@ TEST(TrialsOfACell, AreListedByKeyboardAndTheListCloses) {
   EXPECT_THAT(*closed, HasSubstr("SHOWN  TOLD List closed."));
 }
 
+// "mat" again: (p w + p + 2 w) mod 5 < 4 with the natural face, as 0 and 1: both participants; (3 p
+// + 25) mod 7 < 4 with the synthetic one, as 4 and 0: P1 only. The difference has the trials of
+// both.
+TEST(TrialsOfACell, OfTwoFacesAreThoseOfThePanelThatIsClicked) {
+  if (!has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const auto page = report_page(two_faces(), {}, {});
+  const auto shown_of = [&](const std::string& side) {
+    return seen_in_browser(
+               page,
+               "document.querySelector(\"figure[data-unit='consonant-initial'][data-first] "
+               "rect[data-cell='M M'][data-side='" +
+                   side + "']\").dispatchEvent(new MouseEvent('click', {bubbles: true}));" +
+                   std::string{kShow})
+        .value_or("");
+  };
+  EXPECT_THAT(shown_of("first"),
+              HasSubstr("SHOWN P0|AV natural|17|mat|mat|as planned;P1|AV natural|17|mat|mat|as "
+                        "planned TOLD M answered M, condition AV natural: 2 trials FOCUS"));
+  EXPECT_THAT(shown_of("second"),
+              HasSubstr("SHOWN P1|AV synthetic|29|mat|mat|as planned TOLD M answered M, condition "
+                        "AV synthetic: 1 trial FOCUS"));
+  EXPECT_THAT(shown_of("both"),
+              HasSubstr("SHOWN P0|AV natural|17|mat|mat|as planned;P1|AV natural|17|mat|mat|as "
+                        "planned;P1|AV synthetic|29|mat|mat|as planned TOLD M answered M, "
+                        "conditions AV natural and AV synthetic: 3 trials FOCUS"));
+}
+
+// Whoever listens to the page has to reach every panel's cells with arrows alone.
+TEST(TrialsOfACell, OfTwoFacesAreReachedByKeyboardInEveryPanel) {
+  if (!has_browser()) GTEST_SKIP() << "chromium is not installed";
+  const auto shown = seen_in_browser(
+      report_page(two_faces(), {}, {}),
+      "var cells = document.querySelectorAll('figure[data-first] rect[data-cell]');"
+      "var sides = {}; cells = Array.from(cells).slice(0, document.querySelector("
+      "'figure[data-first]').querySelectorAll('rect[data-cell]').length);"
+      "cells[0].focus(); cells.forEach(function () {"
+      "sides[document.activeElement.dataset.side] = true;"
+      "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', "
+      "bubbles: true})); });"
+      "document.title = Object.keys(sides).join(' ');");
+  ASSERT_TRUE(shown);
+  EXPECT_THAT(*shown, HasSubstr("<title>first second both</title>"));
+}
+
 // "eight" begins with a vowel: one trial of each of two participants.
 TEST(TrialsOfACell, OfWordsWithoutTheUnitHaveAListToo) {
   if (!has_browser()) GTEST_SKIP() << "chromium is not installed";
@@ -100,7 +153,7 @@ TEST(TrialsOfACell, OfWordsWithoutTheUnitHaveAListToo) {
                       ".querySelectorAll('.choices button')).pop().click();" +
                           std::string{kShow});
   ASSERT_TRUE(shown);
-  EXPECT_THAT(*shown, HasSubstr("SHOWN P0|4|eight|"));
+  EXPECT_THAT(*shown, HasSubstr("SHOWN P0|A|4|eight|"));
   EXPECT_THAT(*shown, HasSubstr("Words without such a phone, condition A: 2 trials"));
 }
 
