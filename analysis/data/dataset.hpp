@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,11 @@ struct SessionSummary {
   bool simulated = false;    ///< a simulated observer answered, or time was virtual
   int planned_trials = 0;    ///< practice included
   std::string face_quality;  ///< "fast", "full"; empty: no synthetic face was drawn, or unknown
-  std::string face_quality_basis;  ///< why: "protocol", "measured", "unwatched"
-  bool shortened = false;          ///< by --trials or --no-practice of `run` or `rehearse`
-  int stored_trials = 0;           ///< practice included
-  int analysed_trials = 0;         ///< left after all exclusions
-  int flagged_trials = 0;          ///< among the stored
+  std::string face_quality_basis;     ///< why: "protocol", "measured", "unwatched"
+  bool shortened = false;             ///< by --trials or --no-practice of `run` or `rehearse`
+  int stored_trials = 0;              ///< practice included
+  int analysed_trials = 0;            ///< left after all exclusions
+  std::optional<int> flagged_trials;  ///< among the stored; absent: their timing is not known
 };
 
 /// Trials that were stored but are not analysed. A trial is counted once, under its first reason.

@@ -33,6 +33,7 @@ class Sieve {
     if (!response_time(trial)) ++without_time_;
     if (is_too_fast(trial)) return left_out(fast_);
     if (is_too_slow(trial)) return left_out(slow_);
+    if (!trial.timing_known) ++without_timing_;
     if (selection_.exclude_flagged && trial.flagged) return left_out(flagged_);
     if (selection_.exclude_simulated && trial.simulated) return left_out(simulated_);
     return true;
@@ -66,11 +67,19 @@ class Sieve {
 
   /// Of rules that could not judge every trial.
   void warn(std::vector<std::string>& warnings) const {
-    if ((!selection_.fastest && !selection_.slowest) || without_time_ == 0) return;
-    warnings.push_back(fmt::format(
-        "{} no response time, so that the limits of response times do not hold for {}.",
-        without_time_ == 1 ? "1 trial has" : fmt::format("{} trials have", without_time_),
-        without_time_ == 1 ? "it" : "them"));
+    if ((selection_.fastest || selection_.slowest) && without_time_ > 0) {
+      warnings.push_back(fmt::format(
+          "{} no response time, so that the limits of response times do not hold for {}.",
+          without_time_ == 1 ? "1 trial has" : fmt::format("{} trials have", without_time_),
+          without_time_ == 1 ? "it" : "them"));
+    }
+    if (selection_.exclude_flagged && without_timing_ > 0) {
+      warnings.push_back(fmt::format(
+          "Of {} it is not known whether the timing was as planned (the table does not say in a "
+          "column flagged), so that leaving out flagged trials does not concern {}.",
+          without_timing_ == 1 ? "1 trial" : fmt::format("{} trials", without_timing_),
+          without_timing_ == 1 ? "it" : "them"));
+    }
   }
 
  private:
@@ -99,6 +108,7 @@ class Sieve {
   std::int64_t participant_ = 0;
   std::int64_t condition_ = 0;
   std::int64_t without_time_ = 0;
+  std::int64_t without_timing_ = 0;
   std::int64_t fast_ = 0;
   std::int64_t slow_ = 0;
   std::int64_t flagged_ = 0;

@@ -31,9 +31,10 @@ struct Trial {
   std::optional<Duration> first_key;
   std::optional<Duration> submitted;  ///< absent: not known
   bool timed_out = false;
-  bool flagged = false;    ///< the timing was not as planned
-  bool excluded = false;   ///< and by the protocol's rule it is not analysed
-  bool simulated = false;  ///< a simulated observer answered, or time was virtual
+  bool flagged = false;      ///< the timing was not as planned
+  bool timing_known = true;  ///< whether; false of tables that do not say
+  bool excluded = false;     ///< and by the protocol's rule it is not analysed
+  bool simulated = false;    ///< a simulated observer answered, or time was virtual
 };
 
 }  // namespace bimodal::analysis

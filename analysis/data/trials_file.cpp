@@ -215,6 +215,7 @@ class TrialReader {
                       .submitted = milliseconds("response_ms"),
                       .timed_out = flag("timed_out"),
                       .flagged = flag("flagged"),
+                      .timing_known = !text("flagged").value_or("").empty(),
                       .excluded = flag("excluded"),
                       .simulated = flag("simulated")});
   }
@@ -240,6 +241,7 @@ class TrialReader {
     summary.stored_trials = static_cast<int>(session.trials.size());
     summary.planned_trials = summary.stored_trials;
     summary.simulated = std::ranges::any_of(session.trials, &Trial::simulated);
+    if (!std::ranges::any_of(session.trials, &Trial::timing_known)) return;
     summary.flagged_trials =
         static_cast<int>(std::ranges::count_if(session.trials, &Trial::flagged));
   }

@@ -47,7 +47,7 @@ constexpr std::array kColumns = std::to_array<Column>({
      "negative before it; absent: no key"},
     {"trials", "submitted_ms", "submission after that point, ms"},
     {"trials", "timed_out", "1 if the time limit ended the answer, else 0"},
-    {"trials", "flagged", "1 if the timing was not as planned, else 0"},
+    {"trials", "flagged", "1 if the timing was not as planned, else 0; empty: not known"},
     {"trials", "simulated", "1 if answers or time were simulated, else 0"},
     {"words", "word", "the stimulus"},
     {"words", "phones", "as presented, ARPAbet"},

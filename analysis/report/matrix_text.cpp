@@ -53,10 +53,10 @@ std::string matrix_text(const std::string& title, const ConfusionMatrix& matrix)
   }
   const auto total = matrix.total();
   text += total == 0 ? std::string{"\nNo responses.\n"}
-                     : fmt::format("\nCorrect: {} of {} ({:.1f} %).\n",
+                     : fmt::format("\nCorrect: {} of {} ({} %).\n",
                                    print_count(matrix.correct()),
                                    print_count(total),
-                                   100.0 * matrix.correct() / total);
+                                   print_percent(matrix.correct() / total));
   return text;
 }
 

@@ -60,7 +60,7 @@ std::string rows_of_sessions(const Dataset& dataset) {
         session.stored_trials,
         session.planned_trials,
         session.analysed_trials,
-        session.flagged_trials);
+        session.flagged_trials ? fmt::format("{}", *session.flagged_trials) : "&#8211;");
   }
   return rows;
 }
@@ -102,7 +102,8 @@ std::string part_of_data(const Results& results) {
       "<th scope='col' class='number'>Analysed</th><th scope='col' "
       "class='number'>Flagged</th></tr></thead>\n"
       "<tbody>{}</tbody></table>\n<p class='note'>Stored and planned trials include practice. "
-      "Flagged: the timing was not as planned. Face drawn: how finely, and why: the protocol says "
+      "Flagged: the timing was not as planned; &#8211;: the data do not say. Face drawn: how "
+      "finely, and why: the protocol says "
       "so, "
       "it was measured that the machine keeps ahead of the session, or nobody looked (unwatched); "
       "&#8211;: no synthetic face was drawn, or it is not known.</p>\n",

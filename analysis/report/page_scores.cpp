@@ -226,8 +226,8 @@ std::string part_of_confusions(const Results& results, FigureNumbers& numbers) {
         title(table.unit),
         escaped(table.condition),
         total == 0 ? std::string{"No responses."}
-                   : fmt::format("{:.1f}&#160;% correct ({} of {}, all columns counted).",
-                                 100.0 * table.matrix.correct() / total,
+                   : fmt::format("{}&#160;% correct ({} of {}, all columns counted).",
+                                 print_percent(table.matrix.correct() / total),
                                  print_count(table.matrix.correct()),
                                  print_count(total)),
         table.ambiguous,

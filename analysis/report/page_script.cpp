@@ -45,6 +45,10 @@ std::string_view page_script() {
     });
     return line;
   }
+  function timing(flagged) {
+    if (flagged === null) { return 'not known'; }
+    return flagged ? 'flagged: not as planned' : 'as planned';
+  }
   function list(figure, from, title, conditions, wanted) {
     var trials = trialsOf(figure.dataset.unit, conditions, wanted);
     var table = document.createElement('table');
@@ -58,7 +62,7 @@ std::string_view page_script() {
       body.append(row([data.participants[trial[0]], data.conditions[trial[1]], trial[4],
         data.words[trial[2]][0],
         data.answers[trial[3]] === '' ? '(blank)' : data.answers[trial[3]],
-        trial[5] ? 'flagged: not as planned' : 'as planned'], 'td'));
+        timing(trial[5])], 'td'));
     });
     table.append(make('caption', heading), head, body);
     button.type = 'button';

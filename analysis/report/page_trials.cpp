@@ -68,7 +68,7 @@ Json data_of(const Results& results) {
              word,
              answers.of(trial.response),
              trial.trial,
-             trial.flagged ? 1 : 0};
+             trial.timing_known ? Json(trial.flagged ? 1 : 0) : Json(nullptr)};
     for (const Unit unit : kPlaceUnits) {
       row.push_back(responses_of(trial, results.scores[i], unit, labels));
     }

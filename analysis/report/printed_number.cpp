@@ -6,11 +6,29 @@
 
 namespace bimodal::analysis {
 
-std::string print_decimals(double value, int decimals) {
-  auto text = fmt::format("{:.{}f}", std::abs(value), decimals);
+namespace {
+
+/// Rounding errors of a quotient or of a difference of quotients are far below this share of it,
+/// and what is printed differs from its neighbours by far more.
+constexpr double kHair = 1e-12;
+
+}  // namespace
+
+std::string print_rounded(double value, int decimals) {
+  const auto text = fmt::format("{:.{}f}", std::abs(value) * (1.0 + kHair), decimals);
   const bool zero = text.find_first_not_of("0.") == std::string::npos;
-  if (text.starts_with("0.")) text.erase(0, 1);
   return (value < 0.0 && !zero ? "-" : "") + text;
+}
+
+std::string print_percent(double share) {
+  return print_rounded(100.0 * share, 1);
+}
+
+std::string print_decimals(double value, int decimals) {
+  auto text = print_rounded(value, decimals);
+  const std::size_t digits = text.starts_with('-') ? 1 : 0;
+  if (text.compare(digits, 2, "0.") == 0) text.erase(digits, 1);
+  return text;
 }
 
 std::string print_decimals(const std::optional<double>& value, int decimals) {

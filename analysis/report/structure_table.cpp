@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/report/csv.hpp"
+#include "analysis/report/printed_number.hpp"
 
 namespace bimodal::analysis {
 
@@ -31,13 +32,13 @@ double at(const LayoutTable& table, std::size_t thing, std::size_t dimension) {
 std::string lexicon_text(const LexicalEquivalence& lexicon) {
   return fmt::format(
       "\nThe lexicon, if phones of one class look the same: {} words in {} classes of words that\n"
-      "look the same; {} words ({:.1f} %) alone in theirs (by sound {}); expected class size "
+      "look the same; {} words ({} %) alone in theirs (by sound {}); expected class size "
       "{:.2f};\n"
       "{:.1f} % of the words' information extracted (every word as likely as any other).\n",
       lexicon.words,
       lexicon.classes,
       lexicon.unique,
-      100.0 * lexicon.unique_share,
+      print_percent(lexicon.unique_share),
       lexicon.unique_by_sound,
       lexicon.expected_size,
       100.0 * lexicon.extracted);

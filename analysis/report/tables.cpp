@@ -104,7 +104,7 @@ ReportFile trials_table(const Results& results) {
                optional_milliseconds(trial.first_key),
                optional_milliseconds(trial.submitted),
                count(trial.timed_out ? 1 : 0),
-               count(trial.flagged ? 1 : 0),
+               trial.timing_known ? count(trial.flagged ? 1 : 0) : CsvField{},
                count(trial.simulated ? 1 : 0)});
   }
   return std::move(table).take();

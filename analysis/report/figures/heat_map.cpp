@@ -30,10 +30,10 @@ std::string number_in(const ConfusionMatrix& matrix,
 
 std::string numbers_of(const ConfusionMatrix& matrix) {
   if (matrix.total() == 0.0) return "No responses.";
-  return fmt::format("{} stimuli, {} responses, {:.1f} % correct.",
+  return fmt::format("{} stimuli, {} responses, {} % correct.",
                      matrix.stimuli().size(),
                      print_count(matrix.total()),
-                     100.0 * matrix.correct() / matrix.total());
+                     print_percent(matrix.correct() / matrix.total()));
 }
 
 }  // namespace

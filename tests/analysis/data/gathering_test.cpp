@@ -83,6 +83,17 @@ TEST(Gathering, CountsATrialUnderItsFirstReasonOnly) {
   EXPECT_EQ(left_out, 4);
 }
 
+TEST(Gathering, WarnsOfTimingThatNobodyKnows) {
+  auto unknown = answered("one", 1s, 2s);
+  unknown.timing_known = false;
+  const auto found = gather(file_of({unknown, answered("two", 1s, 2s)}), {.exclude_flagged = true});
+  EXPECT_THAT(words_of(found), ElementsAre("one", "two"));
+  EXPECT_THAT(found.warnings,
+              testing::Contains(testing::HasSubstr("Of 1 trial it is not known whether")));
+  EXPECT_THAT(gather(file_of({unknown})).warnings,
+              testing::Not(testing::Contains(testing::HasSubstr("it is not known"))));
+}
+
 TEST(Gathering, KeepsFilesAndTheirWarnings) {
   auto files = file_of({answered("one", 1s, 2s)});
   auto more = file_of({answered("two", 1s, 2s)});

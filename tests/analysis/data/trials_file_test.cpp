@@ -38,6 +38,7 @@ TEST(TrialsFile, ReadsEveryField) {
                          "P7,2,11,practice,3,bimodal,stew,too,S T UW1,kal,face,-8.5,two,B~W:3/8,"
                          "-20.25,1500,1,no,True,0\n")
                          .front();
+  EXPECT_TRUE(trial.timing_known);
   EXPECT_EQ(trial.participant, "P7");
   EXPECT_EQ(trial.trial, 11);
   EXPECT_EQ(trial.phase, "practice");
@@ -72,6 +73,8 @@ TEST(TrialsFile, LeavesAbsentWhatTheTableDoesNotSay) {
   EXPECT_FALSE(trials[1].auditory_talker);
   EXPECT_FALSE(trials[1].snr_db);
   EXPECT_FALSE(trials[1].submitted);
+  EXPECT_FALSE(trials[1].timing_known);
+  EXPECT_FALSE(read.sessions.front().summary.flagged_trials);
   EXPECT_THAT(trials[1].phones, IsEmpty());
 }
 

@@ -127,6 +127,20 @@ TEST(TrialsOfACell, OfTwoFacesAreThoseOfThePanelThatIsClicked) {
                         "conditions AV natural and AV synthetic: 3 trials FOCUS"));
 }
 
+// A table without the column flagged says nothing of timing, so the list does not either.
+TEST(TrialsOfACell, DoNotClaimTimingThatNobodyKnows) {
+  if (!has_browser()) GTEST_SKIP() << "chromium is not installed";
+  auto results = study();
+  for (auto& trial : results.dataset.trials) trial.timing_known = false;
+  const auto shown =
+      seen_in_browser(report_page(results, {}, {}),
+                      "document.querySelector(\"figure[data-condition='A'] rect[data-cell='M M']\")"
+                      ".dispatchEvent(new MouseEvent('click', {bubbles: true}));" +
+                          std::string{kShow});
+  ASSERT_TRUE(shown);
+  EXPECT_THAT(*shown, HasSubstr("SHOWN P1|A|5|mat|mat|not known TOLD"));
+}
+
 // Whoever listens to the page has to reach every panel's cells with arrows alone.
 TEST(TrialsOfACell, OfTwoFacesAreReachedByKeyboardInEveryPanel) {
   if (!has_browser()) GTEST_SKIP() << "chromium is not installed";

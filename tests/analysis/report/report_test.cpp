@@ -296,6 +296,30 @@ TEST(MatrixText, AlignsProportionsAndSaysWhatIsLeftOut) {
             "Not in the table: ambiguous alignments 2, words without this unit 1.\n");
 }
 
+// 3/40, 23/40 and 1/16 of 1 are halves between printed numbers; the first two are a hair less in
+// binary, and the third is exact, which printf rounds to the even digit.
+TEST(PrintProportion, RoundsHalvesAwayFromZero) {
+  EXPECT_EQ(print_proportion(3.0 / 40.0), ".08");
+  EXPECT_EQ(print_proportion(23.0 / 40.0), ".58");
+  EXPECT_EQ(print_proportion(1.0 / 40.0), ".03");
+  EXPECT_EQ(print_proportion(27.0 / 40.0 - 24.0 / 40.0), ".08");
+  EXPECT_EQ(print_decimals(-3.0 / 40.0), "-.08");
+  EXPECT_EQ(print_proportion(0.0749999), ".07");
+  EXPECT_EQ(print_percent(1.0 / 16.0), "6.3");
+  EXPECT_EQ(print_rounded(-0.004, 2), "0.00");
+  EXPECT_EQ(print_decimals(-0.004), ".00");
+  EXPECT_EQ(print_decimals(-12.345), "-12.35");
+  for (int n = 1; n <= 200; ++n) {
+    for (int k = 0; k <= n; ++k) {
+      const int hundredths = (200 * k + n) / (2 * n);  // the nearest, halves up, in whole numbers
+      EXPECT_EQ(print_rounded(static_cast<double>(k) / n, 2),
+                std::to_string(hundredths / 100) + (hundredths % 100 < 10 ? ".0" : ".") +
+                    std::to_string(hundredths % 100))
+          << k << " of " << n;
+    }
+  }
+}
+
 TEST(PrintProportion, HasNoLeadingZero) {
   EXPECT_EQ(print_proportion(0.0), ".00");
   EXPECT_EQ(print_proportion(0.074), ".07");
