@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 20> kTrialFields{
 ///      "constants": {"phase": "main"}, "delimiter": ";"}
 ///
 /// A field made of several columns joins their texts by a blank. `values` replaces whole texts,
-/// after joining. What is not mapped is looked for under the field's own name.
+/// after joining. What is not mapped is looked for under the field's own name, capitals or not.
 struct TrialMapping {
   std::map<std::string, std::vector<std::string>> columns;           ///< by field
   std::map<std::string, std::map<std::string, std::string>> values;  ///< by field

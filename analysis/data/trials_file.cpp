@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -15,6 +16,7 @@
 #include "stimuli/base/digest.hpp"
 #include "stimuli/base/error.hpp"
 #include "stimuli/base/lower_case.hpp"
+#include "stimuli/base/nearest.hpp"
 #include "stimuli/base/utf8.hpp"
 
 namespace bimodal::analysis {
@@ -31,8 +33,12 @@ struct Alias {
   std::string_view column;
 };
 
-constexpr std::array kAliases = std::to_array<Alias>(
-    {{"stimulus", "word"}, {"response_ms", "submitted_ms"}, {"response_ms", "rt_ms"}});
+constexpr std::array kAliases = std::to_array<Alias>({{"participant", "participant_id"},
+                                                      {"participant", "subject"},
+                                                      {"participant", "subject_id"},
+                                                      {"stimulus", "word"},
+                                                      {"response_ms", "submitted_ms"},
+                                                      {"response_ms", "rt_ms"}});
 
 using Header = std::vector<std::string>;
 
@@ -42,12 +48,21 @@ std::optional<std::size_t> place_in(const Header& header, std::string_view colum
   return static_cast<std::size_t>(found - header.begin());
 }
 
+/// The same; where no column is spelt so, one that is but for capitals.
+std::optional<std::size_t> place_whatever_case(const Header& header, std::string_view column) {
+  if (const auto place = place_in(header, column)) return place;
+  const auto found = std::ranges::find_if(
+      header, [&](const std::string& name) { return lower_case(name) == column; });
+  if (found == header.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header.begin());
+}
+
 /// Under the field's own name, or one that means the same.
 std::optional<std::size_t> place_unmapped(const Header& header, std::string_view field) {
-  if (const auto place = place_in(header, field)) return place;
+  if (const auto place = place_whatever_case(header, field)) return place;
   for (const auto& alias : kAliases) {
     if (alias.field != field) continue;
-    if (const auto place = place_in(header, alias.column)) return place;
+    if (const auto place = place_whatever_case(header, alias.column)) return place;
   }
   return std::nullopt;
 }
@@ -98,6 +113,41 @@ class TrialReader {
       file_.warnings.emplace_back(
           "The table of trials names no participants: all trials are taken for one participant's.");
     }
+    warn_of_unread_columns();
+  }
+
+  [[nodiscard]] bool is_absent(std::string_view field) const {
+    return places_.at(field).empty() && !mapping_.constants.contains(std::string{field});
+  }
+
+  [[nodiscard]] bool is_read(std::size_t column) const {
+    return std::ranges::any_of(places_, [&](const auto& field) {
+      return std::ranges::find(field.second, column) != field.second.end();
+    });
+  }
+
+  /// A misspelt name is not to put all conditions together, or to forget who was left out.
+  void warn_of_unread_columns() {
+    std::vector<std::string_view> absent;
+    std::ranges::copy_if(
+        kTrialFields, std::back_inserter(absent), [&](auto field) { return is_absent(field); });
+    std::vector<std::string> unread;
+    for (std::size_t i = 0; i < header_.size(); ++i) {
+      if (is_read(i)) continue;
+      unread.push_back(fmt::format("\"{}\"", header_[i]));
+      const auto meant = nearest(header_[i], absent);
+      if (!meant) continue;
+      file_.warnings.push_back(
+          fmt::format("The column \"{}\" of the table of trials is not read; if it is meant to be "
+                      "\"{}\", name it so, or in a mapping file (--mapping).",
+                      header_[i],
+                      *meant));
+    }
+    if (!is_absent("condition") || unread.empty()) return;
+    file_.warnings.push_back(
+        fmt::format("The table of trials names no conditions: all trials are taken for one "
+                    "condition, \"all\". Columns that are not read: {}.",
+                    fmt::join(unread, ", ")));
   }
 
   /// The text of a field; nothing where there is no such column.
@@ -261,10 +311,10 @@ class TrialReader {
 bool is_trial_table(std::string_view text) {
   try {
     const auto header = CsvReader{text, ""}.next();
-    return header && place_unmapped(*header, "stimulus") && place_in(*header, "response") &&
-           !place_in(*header, "count") &&  // of a confusion matrix, as a list
-           (place_in(*header, "participant") || place_in(*header, "condition") ||
-            place_in(*header, "trial") || header->size() == 2);
+    return header && place_unmapped(*header, "stimulus") && place_unmapped(*header, "response") &&
+           !place_whatever_case(*header, "count") &&  // of a confusion matrix, as a list
+           (place_unmapped(*header, "participant") || place_unmapped(*header, "condition") ||
+            place_unmapped(*header, "trial") || header->size() == 2);
   } catch (const Error&) {
     return false;
   }

@@ -87,6 +87,36 @@ TEST(TrialsFile, KnowsOtherNamesOfColumns) {
   EXPECT_EQ(trials_in("participant,word,response,submitted_ms\nP1,a,b,9\n").front().submitted, 9ms);
 }
 
+TEST(TrialsFile, KnowsNamesOfColumnsInCapitals) {
+  const auto read =
+      parse_trials("Subject,Condition,Stimulus,RESPONSE,condition\nS1,A,stew,two,V\n", "t.csv");
+  const auto& trial = read.sessions.front().trials.front();
+  EXPECT_EQ(trial.participant, "S1");
+  EXPECT_EQ(trial.condition, "V");  // as it is spelt, before what is spelt otherwise
+  EXPECT_EQ(trial.response, "two");
+  EXPECT_EQ(trials_in("Subject,Condition,Stimulus,Response\nS1,A,a,b\n").front().condition, "A");
+  EXPECT_TRUE(is_trial_table("Subject,Condition,Stimulus,Response\n"));
+}
+
+TEST(TrialsFile, WarnsOfColumnsThatMayBeMisspelt) {
+  EXPECT_THAT(
+      parse_trials("participant,conditon,stimulus,response,age\nP1,A,a,b,30\n", "t.csv").warnings,
+      ElementsAre(HasSubstr("The column \"conditon\" of the table of trials is not read; if it is "
+                            "meant to be \"condition\""),
+                  HasSubstr("names no conditions: all trials are taken for one condition, \"all\". "
+                            "Columns that are not read: \"conditon\", \"age\".")));
+  EXPECT_THAT(
+      parse_trials("participant,condition,stimulus,response,age\nP1,A,a,b,30\n", "t.csv").warnings,
+      IsEmpty());
+  EXPECT_THAT(parse_trials("participant,modality,stimulus,response\nP1,A,a,b\n", "t.csv").warnings,
+              ElementsAre(HasSubstr("Columns that are not read: \"modality\"")));
+  EXPECT_THAT(parse_trials("participant,talker,stimulus,response\nP1,A,a,b\n",
+                           "t.csv",
+                           {.columns = {{"condition", {"talker"}}}})
+                  .warnings,
+              IsEmpty());
+}
+
 TEST(TrialsFile, TakesWhatTheMappingNames) {
   const TrialMapping mapping{
       .columns = {{"participant", {"Subj"}},
@@ -229,6 +259,7 @@ TEST(TrialsFile, ReadsWhatTheReportWrote) {
   ASSERT_TRUE(is_trial_table(table.content));
   std::vector<TrialsOfFile> files;
   files.push_back(parse_trials(table.content, "trials.csv"));
+  EXPECT_THAT(files.front().warnings, IsEmpty());
   const auto again = gather(std::move(files));
   ASSERT_EQ(again.trials.size(), results.dataset.trials.size());
   for (std::size_t i = 0; i < again.trials.size(); ++i) {
