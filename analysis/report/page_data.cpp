@@ -126,17 +126,35 @@ std::string part_of_attachments(std::span<const Attachment> attachments) {
   return part + "</div>\n";
 }
 
+namespace {
+
+/// What makes an answer correct that is not the word as spelled, up to the full stop.
+std::string correct_besides(const ScoringRules& rules) {
+  std::vector<std::string_view> tolerated;
+  for (const Tolerance tolerance : kTolerances) {
+    if (rules.tolerates(tolerance)) tolerated.push_back(name(tolerance));
+  }
+  return fmt::format(
+      "{}{}.",
+      rules.homophones ? ", or if any pronunciation that the dictionary gives for it is what was "
+                         "presented (homophone)"
+                       : "; homophones are wrong",
+      tolerated.empty() ? std::string{}
+                        : fmt::format("; tolerated besides: {}", fmt::join(tolerated, ", ")));
+}
+
+}  // namespace
+
 std::string part_of_methods(const Results& results) {
   return fmt::format(
       R"(<h2 id="methods">How it was computed</h2>
 <dl>
 <dt>Words</dt><dd>Case, space, punctuation and accents are ignored. An answer is correct if it is the
-word, or if any pronunciation that the dictionary gives for it is what was presented (homophone). An answer with nothing left is blank, an omission.</dd>
+word{} An answer with nothing left is blank, an omission.</dd>
 <dt>Phonemes</dt><dd>The answer&#8217;s pronunciation is aligned with the phones presented at least
-cost: substitution, deletion and insertion cost 1 each, vowels stand only against vowels and consonants
+cost: {}, vowels stand only against vowels and consonants
 against consonants; among equal costs the alignment with most matches. The pronunciation of least cost
-is taken. Where equally good alignments disagree about a phone, that phone is <i>ambiguous</i> and left
-out of its matrix, with its count in the caption. All phones of a correct word are correct.</dd>
+is taken. {} {} All phones of a correct word are correct.</dd>
 <dt>Units</dt><dd>Initial consonant: the first phone, if a consonant (in a cluster, its first). Vowel:
 the first. Final consonant: the last phone, if a consonant.</dd>
 <dt>Intervals</dt><dd>95&#160;%. Pooled: crossed bootstrap. Participants and words are drawn anew with
@@ -148,6 +166,21 @@ it in 77&#160;%. One participant: Wilson&#8217;s score interval, which speaks of
 No interval is given for pooled answers, or one participant&#8217;s phonemes, of which all or none were correct.</dd>
 </dl>
 )",
+      correct_besides(results.rules),
+      results.rules.costs == AlignmentCosts::Unit
+          ? "substitution, deletion and insertion cost 1 each"
+          : "substitution costs the share of phonetic features in which the two phones differ, "
+            "deletion and insertion cost 1 each",
+      results.rules.out_of_dictionary == OutOfDictionary::LeftOut
+          ? "Answers that the dictionary lacks are left out of phoneme scores, and stand as "
+            "<i>other</i> in matrices."
+          : "Answers that the dictionary lacks are said by letter-to-sound rules (Elovitz et al., "
+            "1976).",
+      results.rules.ties == TieRule::LeftOut
+          ? "Where equally good alignments disagree about a phone, that phone is <i>ambiguous</i> "
+            "and left out of its matrix, with its count in the caption."
+          : "In matrices equally good alignments weigh the same, so that a response may count in "
+            "parts.",
       results.bootstrap.draws,
       results.bootstrap.seed);
 }

@@ -163,6 +163,13 @@ TEST_F(Program, SaysInTheReportByWhichRulesAnswersWereScored) {
   const auto page = report({"--tolerate", "plural"});
   EXPECT_THAT(page, HasSubstr("Tolerated: plural."));
   EXPECT_THAT(page, HasSubstr("<th scope='col' class='number'>Tolerated</th>"));
+  EXPECT_THAT(page, HasSubstr("(homophone); tolerated besides: plural. An answer"));
+  EXPECT_THAT(page, HasSubstr("insertion cost 1 each, vowels stand"));
+  const auto other = report({"--no-homophones", "--ties", "average", "--costs", "feature"});
+  EXPECT_THAT(other, HasSubstr("word; homophones are wrong. An answer"));
+  EXPECT_THAT(other, HasSubstr("substitution costs the share of phonetic features"));
+  EXPECT_THAT(other, HasSubstr("equally good alignments weigh the same, so that"));
+  EXPECT_THAT(other, testing::Not(HasSubstr("is <i>ambiguous</i>")));
 }
 
 TEST_F(Program, SaysWhyThereIsNothingToAnalyse) {
