@@ -44,6 +44,26 @@ std::string unknown_verb(const CLI::App& program, std::span<const std::string> a
                      fmt::join(names, ", "));
 }
 
+/// "did you mean --seed instead of --sed?", of the first option that the verb does not have and
+/// that is near one that it has; else empty.
+std::string misspelt_option(const CLI::App& program, std::span<const std::string> arguments) {
+  const auto verbs = program.get_subcommands();  // those that were named
+  if (verbs.empty()) return {};
+  std::vector<std::string> names;
+  for (const auto* const option : verbs.front()->get_options()) {
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  for (const auto& argument : arguments) {
+    const auto typed = argument.substr(0, argument.find('='));
+    if (!typed.starts_with("--") || std::ranges::find(names, typed) != names.end()) continue;
+    if (const auto meant = nearest(typed, known)) {
+      return fmt::format("did you mean {} instead of {}?", *meant, typed);
+    }
+  }
+  return {};
+}
+
 ExitCode parse_and_run(std::span<const std::string> arguments, Console console) {
   CLI::App program{"What the stored sessions of bimodal mean: scores, confusion matrices, reports.",
                    "bimodal-analysis"};
@@ -70,7 +90,10 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Console console) 
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
     program.parse(std::move(reversed));
   } catch (const CLI::ParseError& error) {
-    return program.exit(error, console.out, console.err) == 0 ? ExitCode::Done : ExitCode::Usage;
+    if (program.exit(error, console.out, console.err) == 0) return ExitCode::Done;
+    const auto hint = misspelt_option(program, arguments);
+    if (!hint.empty()) console.err << "bimodal-analysis: " << hint << '\n';
+    return ExitCode::Usage;
   }
   return chosen(console);
 }

@@ -185,6 +185,13 @@ TEST_F(Program, SaysWhyThereIsNothingToAnalyse) {
   EXPECT_FALSE(std::filesystem::exists(in_folder("report")));
 }
 
+TEST_F(Program, SuggestsTheOptionThatWasMeant) {
+  const auto made = run({"score", "a.csv", "--lexikon=l.csv"});
+  EXPECT_EQ(made.code, ExitCode::Usage);
+  EXPECT_THAT(made.err, HasSubstr("did you mean --lexicon instead of --lexikon?"));
+  EXPECT_THAT(run({"score", "a.csv", "--frobnicate"}).err, testing::Not(HasSubstr("did you mean")));
+}
+
 TEST_F(Program, NamesTheConditionsThatThereAre) {
   auto other = stored_trial(1, "bat", "B AE T", "pat");
   other.plan.condition = "visual";
