@@ -1,3 +1,5 @@
+#include <iterator>
+#include <string_view>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -29,16 +31,23 @@ class Texts {
   std::vector<std::string> texts_;
 };
 
-constexpr int kNone = -1;
-
-/// Where a trial stands in the matrix of a unit: one column, or several that share it; -1: in none.
-Json responses_of(const Trial& trial, const Score& score, Unit unit, Texts& labels) {
+/// Appends where a trial stands in the matrix of a unit: one column, or several that share it; -1:
+/// in none.
+void add_responses(
+    const Trial& trial, const Score& score, Unit unit, Texts& labels, std::string& row) {
   const auto pairs = confusions_of(trial, score, unit);
-  if (pairs.empty()) return kNone;
-  if (pairs.size() == 1) return labels.of(pairs.front().response);
-  Json several = Json::array();
-  for (const auto& pair : pairs) several.push_back(labels.of(pair.response));
-  return several;
+  if (pairs.empty()) {
+    row += "-1";
+  } else if (pairs.size() == 1) {
+    row += std::to_string(labels.of(pairs.front().response));
+  } else {
+    row += '[';
+    for (const auto& pair : pairs) {
+      if (row.back() != '[') row += ',';
+      row += std::to_string(labels.of(pair.response));
+    }
+    row += ']';
+  }
 }
 
 /// The word with its labels in the units, -1 where it has none.
@@ -46,50 +55,15 @@ Json word_of(const Trial& trial, Texts& labels) {
   Json word{trial.word};
   for (const Unit unit : kPlaceUnits) {
     const auto stimuli = stimuli_of(trial, unit);
-    word.push_back(stimuli.empty() ? Json(kNone) : Json(labels.of(stimuli.front())));
+    word.push_back(stimuli.empty() ? Json(-1) : Json(labels.of(stimuli.front())));
   }
   return word;
 }
 
-Json data_of(const Results& results) {
-  Texts participants;
-  Texts conditions;
-  Texts words;
-  Texts answers;
-  Texts labels;
-  Json word_rows = Json::array();
-  Json trials = Json::array();
-  for (std::size_t i = 0; i < results.dataset.trials.size(); ++i) {
-    const auto& trial = results.dataset.trials[i];
-    const auto word = words.of(trial.word + '\n' + spell(trial.phones));
-    if (word == word_rows.size()) word_rows.push_back(word_of(trial, labels));
-    Json row{participants.of(trial.participant),
-             conditions.of(trial.condition),
-             word,
-             answers.of(trial.response),
-             trial.trial,
-             trial.timing_known ? Json(trial.flagged ? 1 : 0) : Json(nullptr)};
-    for (const Unit unit : kPlaceUnits) {
-      row.push_back(responses_of(trial, results.scores[i], unit, labels));
-    }
-    trials.push_back(std::move(row));
-  }
-  Json units = Json::array();
-  for (const Unit unit : kPlaceUnits) units.push_back(name(unit));
-  return {{"units", units},
-          {"labels", labels.all()},
-          {"participants", participants.all()},
-          {"conditions", conditions.all()},
-          {"answers", answers.all()},
-          {"words", word_rows},
-          {"trials", trials}};
-}
-
-/// Without the letters that XML would read as markup, which JSON can write otherwise.
-std::string without_markup(const std::string& json) {
+/// As JSON without the letters that XML would read as markup, which JSON can write otherwise.
+std::string without_markup(const Json& json) {
   std::string text;
-  text.reserve(json.size());
-  for (const char letter : json) {
+  for (const char letter : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
     if (letter == '<' || letter == '>' || letter == '&') {
       text += fmt::format("\\u{:04x}", static_cast<unsigned>(letter));
     } else if (letter == '\x7f') {
@@ -101,14 +75,56 @@ std::string without_markup(const std::string& json) {
   return text;
 }
 
+/// What the script needs as JSON. The trials, of which there may be a million, are written as text
+/// at once: as values they would take several times as much memory.
+std::string data_of(const Results& results) {
+  Texts participants;
+  Texts conditions;
+  Texts words;
+  Texts answers;
+  Texts labels;
+  Json word_rows = Json::array();
+  std::string trials;
+  for (std::size_t i = 0; i < results.dataset.trials.size(); ++i) {
+    const auto& trial = results.dataset.trials[i];
+    const auto word = words.of(trial.word + '\n' + spell(trial.phones));
+    if (word == word_rows.size()) word_rows.push_back(word_of(trial, labels));
+    const std::string_view flagged = trial.flagged ? "1" : "0";
+    fmt::format_to(std::back_inserter(trials),
+                   "{}[{},{},{},{},{},{}",
+                   i == 0 ? "" : ",",
+                   participants.of(trial.participant),
+                   conditions.of(trial.condition),
+                   word,
+                   answers.of(trial.response),
+                   trial.trial,
+                   trial.timing_known ? flagged : "null");
+    for (const Unit unit : kPlaceUnits) {
+      trials += ',';
+      add_responses(trial, results.scores[i], unit, labels, trials);
+    }
+    trials += ']';
+  }
+  Json units = Json::array();
+  for (const Unit unit : kPlaceUnits) units.push_back(name(unit));
+  return fmt::format(
+      R"({{"units":{},"labels":{},"participants":{},"conditions":{},"answers":{},"words":{},"trials":[{}]}})",
+      without_markup(units),
+      without_markup(labels.all()),
+      without_markup(participants.all()),
+      without_markup(conditions.all()),
+      without_markup(answers.all()),
+      without_markup(word_rows),
+      trials);
+}
+
 }  // namespace
 
 std::string part_of_trials(const Results& results) {
-  const auto json = data_of(results).dump(-1, ' ', false, Json::error_handler_t::replace);
   return fmt::format(
       "<p id='told' class='note' role='status' aria-live='polite'></p>\n"
       "<script type='application/json' id='trial-data'>{}</script>\n<script>{}</script>\n",
-      without_markup(json),
+      data_of(results),
       page_script());
 }
 
