@@ -14,6 +14,10 @@ namespace bimodal::analysis {
 
 namespace {
 
+/// Makes what follows smaller where it would run off the page; ends with "}".
+constexpr std::string_view kNoWiderThanText =
+    "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}{!}{%\n";
+
 constexpr std::string_view kMarkdownSpecials = R"(\`*_{}[]<>#|~&!$)";
 
 std::string latex_letter(char letter) {
@@ -103,9 +107,10 @@ std::string matrix_latex(const ExportedMatrix& exported) {
   const auto& matrix = exported.matrix;
   const auto columns = matrix.responses().size();
   std::string table =
-      "% needs \\usepackage{booktabs}; phonetic letters need XeLaTeX or LuaLaTeX\n"
+      "% needs \\usepackage{booktabs,graphicx}; phonetic letters need XeLaTeX or LuaLaTeX\n"
       "\\begin{table}\n\\refstepcounter{table}\n\\textbf{Table \\thetable}\\par\\medskip\n";
   table += fmt::format("\\textit{{{}}}\\par\\medskip\n", latex(exported.title));
+  table += kNoWiderThanText;
   table += fmt::format("\\begin{{tabular}}{{l*{{{}}}{{r}}r}}\n\\toprule\n", columns);
   std::vector<std::string> fields{"Stimulus"};
   for (const auto& response : matrix.responses()) fields.push_back(latex(response));
@@ -116,7 +121,7 @@ std::string matrix_latex(const ExportedMatrix& exported) {
     table += fmt::format("{} \\\\\n", fmt::join(fields, " & "));
   }
   table += fmt::format(
-      "\\bottomrule\n\\end{{tabular}}\n\\par\\medskip\n\\textit{{Note.}} {}\n\\end{{table}}\n",
+      "\\bottomrule\n\\end{{tabular}}}}\n\\par\\medskip\n\\textit{{Note.}} {}\n\\end{{table}}\n",
       latex(note(exported)));
   return table;
 }

@@ -187,13 +187,36 @@ TEST(PrintedMatrix, IsATableOfAPaperInLatex) {
   const auto table =
       matrix_latex(ExportedMatrix{"50 % & more", {"made_up"}, matrix, LabelOrder::Given});
   EXPECT_THAT(table,
-              HasSubstr("\\textit{50 \\% \\& more}\\par\\medskip\n\\begin{tabular}{l*{2}{r}r}\n"
+              HasSubstr("\\textit{50 \\% \\& more}\\par\\medskip\n"
+                        "\\resizebox{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}"
+                        "{!}{%\n\\begin{tabular}{l*{2}{r}r}\n"
                         "\\toprule\nStimulus & p\\_\\% & a\\textbackslash{}b & \\textit{n} \\\\\n"
                         "\\midrule\np\\_\\% & 20 (.83) & 4 (.17) & 24 \\\\\n"
                         "{[}b & 0 & 0.50 (1.00) & 0.50 \\\\\n\\bottomrule\n"));
   EXPECT_THAT(
       table,
       HasSubstr("n: responses in the row, 24.50 in all. Order: as given. Warning: made\\_up.\n"));
+}
+
+TEST(PrintedMatrix, IsSetByLatexWithinTheTextHoweverWide) {
+  if (std::system("kpsewhich booktabs.sty >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "LaTeX with booktabs is not installed";
+  }
+  std::vector<std::string> labels{"\\", "~^", "{", "}$", "[b", "#1", "a_b%", "<|>", "&"};
+  for (int i = 0; i < 30; ++i) labels.push_back(fmt::format("label{}", i));
+  const std::vector<double> counts(labels.size() * labels.size(), 12.0);
+  const auto table = matrix_latex(ExportedMatrix{
+      "\\ {T} #1", {"$"}, ConfusionMatrix{labels, labels, counts}, LabelOrder::Given});
+  const WrittenFiles folder;
+  const auto file = folder.write("t.tex",
+                                 "\\documentclass{article}\\usepackage{booktabs,graphicx}\n"
+                                 "\\begin{document}\n" +
+                                     table + "\\end{document}\n");
+  const auto command = fmt::format("cd '{}' && pdflatex -halt-on-error {} >/dev/null 2>&1",
+                                   folder.folder().string(),
+                                   file.filename().string());
+  ASSERT_EQ(std::system(command.c_str()), 0) << read_file(folder / "t.log");
+  EXPECT_THAT(read_file(folder / "t.log"), testing::Not(HasSubstr("Overfull")));
 }
 
 TEST(PrintedMatrix, IsATableInMarkdown) {
